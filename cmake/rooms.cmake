@@ -1,0 +1,25 @@
+# A room is a folder of framework/ built as one static library that links only the rooms below it.
+
+add_library(nephrite_flags INTERFACE)
+target_compile_options(nephrite_flags INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wno-sign-conversion -Wshadow -Wnon-virtual-dtor)
+# GCC 12 claims that strings moved into an exception may be uninitialised; they are not.
+target_compile_options(nephrite_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
+# std::fma contraction would make the double-precision references differ between compilers.
+target_compile_options(nephrite_flags INTERFACE -ffp-contract=off)
+if(NEPHRITE_WARNINGS_AS_ERRORS)
+    target_compile_options(nephrite_flags INTERFACE -Werror)
+endif()
+if(NEPHRITE_SANITIZERS)
+    add_compile_options(-fsanitize=${NEPHRITE_SANITIZERS} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+    add_link_options(-fsanitize=${NEPHRITE_SANITIZERS})
+endif()
+
+function(nephrite_room name)
+    cmake_parse_arguments(ARG "" "" "ROOMS;PACKAGES" ${ARGN})
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/framework/${name}/*.cpp)
+    add_library(nephrite_${name} STATIC ${sources})
+    set_target_properties(nephrite_${name} PROPERTIES LINKER_LANGUAGE CXX)
+    target_include_directories(nephrite_${name} PUBLIC ${PROJECT_SOURCE_DIR}/framework)
+    list(TRANSFORM ARG_ROOMS PREPEND nephrite_)
+    target_link_libraries(nephrite_${name} PUBLIC ${ARG_ROOMS} ${ARG_PACKAGES} fmt::fmt PRIVATE nephrite_flags)
+endfunction()

@@ -1,0 +1,99 @@
+#include "graph/compiler/expression_values.h"
+
+#include <fmt/format.h>
+
+#include "graph/compile.h"
+
+namespace nephrite::graph {
+namespace {
+
+/// Index of the element of that name, or noIndex.
+template<class T>
+Index indexNamed(const std::vector<T>& elements, std::string_view name) {
+    for (Index i = 0; i < elements.size(); ++i) {
+        if (elements[i].name == name) return i;
+    }
+    return noIndex;
+}
+
+[[noreturn]] void throwUnknown(const ExpressionName& name) {
+    throw InputError(name.where, fmt::format("unknown name \"{}\" in an expression", name.name));
+}
+
+}  // namespace
+
+ExpressionValues::ExpressionValues(const LinkedGraph& graph, const SceneFacts& facts,
+                                   const std::vector<std::uint8_t>& inputIsNeutral)
+    : graph_(graph), facts_(facts), inputIsNeutral_(inputIsNeutral) {
+    const auto& parameters = graph.description.parameters;
+    for (Index i = 0; i < parameters.size(); ++i) graphParameters_.emplace(parameters[i].name, i);
+}
+
+const ParameterValue& ExpressionValues::parameter(Index node, Index parameter) const {
+    const LinkedParameter& linked = graph_.parameters[graph_.nodes[node].parameters.first + parameter];
+    if (linked.graphParameter == noIndex) return linked.value;
+    return graph_.description.parameters[linked.graphParameter].value;
+}
+
+double ExpressionValues::at(Index node, const Expression& expression) {
+    const auto& program = expression.program();
+    if (program.size() == 1 && program[0].code == Expression::Instruction::Code::Constant) {
+        return program[0].constant;
+    }
+    const auto& resolved = resolve(node, expression);
+    const ExpressionName* names = expression.names().data();
+    return expression.evaluate([&](const ExpressionName& name) {
+        return valueOf(node, resolved[static_cast<std::size_t>(&name - names)]);
+    });
+}
+
+const std::vector<ExpressionValues::ResolvedName>& ExpressionValues::resolve(Index node,
+                                                                             const Expression& expression) {
+    const auto [entry, isNew] = resolved_.try_emplace(&expression);
+    if (isNew) {
+        for (const ExpressionName& name : expression.names()) entry->second.push_back(resolve(node, name));
+    }
+    return entry->second;
+}
+
+ExpressionValues::ResolvedName ExpressionValues::resolve(Index node, const ExpressionName& name) const {
+    const PassType& type = *graph_.nodes[node].type;
+    ResolvedName result{.space = name.space, .element = name.element.value_or(0)};
+    switch (name.space) {
+        case ExpressionName::Space::Parameter:
+            result.index = indexNamed(type.parameters, name.name);
+            break;
+        case ExpressionName::Space::GraphParameter: {
+            const auto found = graphParameters_.find(name.name);
+            result.index = found == graphParameters_.end() ? noIndex : found->second;
+            break;
+        }
+        case ExpressionName::Space::SceneFact: {
+            const std::optional<double> fact = facts_.find(name.name);
+            if (!fact) throwUnknown(name);
+            result.fact = *fact;
+            break;
+        }
+        case ExpressionName::Space::InputNeutral:
+            result.index = indexNamed(type.inputs, name.name);
+            break;
+    }
+    if (result.index == noIndex) throwUnknown(name);
+    return result;
+}
+
+double ExpressionValues::valueOf(Index node, const ResolvedName& name) const {
+    switch (name.space) {
+        case ExpressionName::Space::Parameter:
+            return parameter(node, name.index).components.at(name.element);
+        case ExpressionName::Space::GraphParameter:
+            return graph_.description.parameters[name.index].value.components.at(name.element);
+        case ExpressionName::Space::SceneFact:
+            return name.fact;
+        case ExpressionName::Space::InputNeutral:
+            return inputIsNeutral_[graph_.nodes[node].inputs.first + name.index];
+    }
+    return 0;
+}
+
+}  // namespace nephrite::graph

@@ -1,0 +1,16 @@
+// How many levels an image has and how much memory it takes when packed tightly.
+#pragma once
+
+#include <cstdint>
+
+#include "graph/plan.h"
+
+namespace nephrite::graph {
+
+/// Levels from `extent` down to 1x1.
+std::uint32_t fullMipCount(Extent extent);
+
+/// Bytes of all levels and layers, as a double so that nothing overflows; exact below 2^53.
+double imageBytes(Extent extent, std::uint32_t mips, std::uint32_t layers, std::uint32_t bytesPerPixel);
+
+}  // namespace nephrite::graph

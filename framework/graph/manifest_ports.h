@@ -1,0 +1,15 @@
+// The parts of a pass manifest: ports and parameters.
+#pragma once
+
+#include <vector>
+
+#include "graph/pass_type.h"
+
+namespace nephrite::graph {
+
+// Each reads the members of one object of a manifest, in the file's order; members with faults are left out.
+std::vector<InputPort> readInputs(const json::Value& value, Diagnostics& diagnostics);
+std::vector<OutputPort> readOutputs(const json::Value& value, Diagnostics& diagnostics);
+std::vector<ParameterDeclaration> readParameters(const json::Value& value, Diagnostics& diagnostics);
+
+}  // namespace nephrite::graph

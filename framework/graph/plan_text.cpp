@@ -1,0 +1,134 @@
+// A plan for people: passes in order, and under each its barriers, what it reads and what it writes.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "graph/plan_words.h"
+#include "graph/plan_writer.h"
+
+namespace nephrite::graph {
+namespace {
+
+/// Rows of cells, printed with aligned columns.
+class Table {
+  public:
+    void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
+
+    void appendTo(std::string& text, std::string_view indent) const {
+        std::vector<std::size_t> widths;
+        for (const auto& row : rows_) {
+            widths.resize(std::max(widths.size(), row.size()));
+            for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+        }
+        for (const auto& row : rows_) {
+            std::string line(indent);
+            for (std::size_t i = 0; i < row.size(); ++i) {
+                line += row[i];
+                line.append(widths[i] - row[i].size() + 2, ' ');
+            }
+            line.erase(line.find_last_not_of(' ') + 1);
+            text += line + "\n";
+        }
+    }
+
+  private:
+    std::vector<std::vector<std::string>> rows_;
+};
+
+std::size_t countOf(const Plan& plan, NodeState state) {
+    return static_cast<std::size_t>(std::count_if(
+        plan.nodes.begin(), plan.nodes.end(), [&](const NodeDecision& node) { return node.state == state; }));
+}
+
+std::string summary(const Plan& plan) {
+    std::string text = fmt::format("plan of {} at {} x {}\n", plan.graph->description.name, plan.view.width,
+                                   plan.view.height);
+    text += fmt::format("{} passes run, {} skipped, {} culled\n", countOf(plan, NodeState::Run),
+                        countOf(plan, NodeState::Skipped), countOf(plan, NodeState::Culled));
+    text += fmt::format("{} resources take {}, at most {} of it in use at once\n", plan.resources.size(),
+                        bytesInWords(plan.naiveBytes), bytesInWords(plan.peakLiveBytes));
+    text += fmt::format("{} barriers in {} batches; one for each use would be {}\n", plan.barriers.size(),
+                        plan.barrierBatches, plan.naiveBarriers);
+    return text;
+}
+
+void addBarriers(const Plan& plan, Range range, Table& table) {
+    for (const Barrier& barrier : slice(plan.barriers, range)) {
+        table.add({"barrier", plan.nameOf(plan.resources[barrier.resource]), transitionInWords(plan, barrier),
+                   dependencyInWords(barrier)});
+    }
+}
+
+std::string neutralInWords(const InputRead& read) {
+    return fmt::format("{} {} {} {}", read.neutral[0], read.neutral[1], read.neutral[2], read.neutral[3]);
+}
+
+void addReads(const Plan& plan, const PlannedPass& pass, Table& table) {
+    const auto reads = slice(plan.inputs, pass.inputs);
+    for (std::size_t i = 0; i < reads.size(); ++i) {
+        const std::string& port = plan.typeOf(pass).inputs[i].name;
+        if (reads[i].resource == noIndex) {
+            table.add({"read", port, "constant", neutralInWords(reads[i])});
+        } else {
+            table.add({"read", port, "from", plan.nameOf(plan.resources[reads[i].resource])});
+        }
+    }
+}
+
+void addWrites(const Plan& plan, const PlannedPass& pass, Table& table) {
+    for (const Index index : slice(plan.outputs, pass.outputs)) {
+        if (index == noIndex) continue;
+        const Resource& resource = plan.resources[index];
+        table.add({pass.iterations == 0 ? "clear" : "write", plan.typeOf(pass).outputs[resource.port].name,
+                   formatName(plan, resource),
+                   fmt::format("{}, {}, in use in passes {} to {}{}", sizeInWords(resource),
+                               bytesInWords(resource.bytes), resource.first, resource.last,
+                               resource.requested ? ", requested" : "")});
+    }
+}
+
+std::string nodeLine(const Plan& plan, Index node) {
+    const PassType& type = *plan.graph->nodes[node].type;
+    return fmt::format("{}  [{} {}]  {}: {}", plan.graph->nodeName(node), name(type.kind), type.name,
+                       name(plan.nodes[node].state), whyOf(plan, node));
+}
+
+void appendPass(const Plan& plan, Index index, std::string& text) {
+    const PlannedPass& pass = plan.passes[index];
+    text += fmt::format("\n{:>4}  {}\n", index, nodeLine(plan, pass.node));
+    if (pass.iterations > 1) text += fmt::format("      {} iterations, one a light view\n", pass.iterations);
+    Table table;
+    addBarriers(plan, pass.barriers, table);
+    addReads(plan, pass, table);
+    addWrites(plan, pass, table);
+    table.appendTo(text, "      ");
+}
+
+void appendRequested(const Plan& plan, std::string& text) {
+    text += "\n      copied out after the last pass\n";
+    Table table;
+    addBarriers(plan, plan.finalBarriers, table);
+    for (const RequestedOutput& output : plan.requested) {
+        table.add(
+            {"output", output.name, "from",
+             output.resource == noIndex ? "an empty buffer" : plan.nameOf(plan.resources[output.resource])});
+    }
+    table.appendTo(text, "      ");
+}
+
+}  // namespace
+
+std::string planAsText(const Plan& plan) {
+    std::string text = summary(plan);
+    for (Index i = 0; i < plan.passes.size(); ++i) appendPass(plan, i, text);
+    appendRequested(plan, text);
+    const std::vector<Index> nodes = nodesInReportOrder(plan);
+    if (nodes.size() > plan.passes.size()) text += "\nnot run\n";
+    for (std::size_t i = plan.passes.size(); i < nodes.size(); ++i) {
+        text += fmt::format("      {}\n", nodeLine(plan, nodes[i]));
+    }
+    return text;
+}
+
+}  // namespace nephrite::graph

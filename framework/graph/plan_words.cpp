@@ -1,0 +1,76 @@
+// See plan_words.h.
+#include "graph/plan_words.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+namespace nephrite::graph {
+namespace {
+
+std::string usesInWords(std::uint32_t uses) {
+    std::string words;
+    for (Use use = Use::ComputeRead; use <= Use::Copy; use = static_cast<Use>(static_cast<int>(use) + 1)) {
+        if ((uses & bit(use)) == 0) continue;
+        if (!words.empty()) words += " and ";
+        words += name(use);
+    }
+    return words;
+}
+
+}  // namespace
+
+std::vector<Index> nodesInReportOrder(const Plan& plan) {
+    std::vector<Index> order;
+    order.reserve(plan.nodes.size());
+    const std::vector<Index> passes = passOfNode(plan);
+    for (const PlannedPass& pass : plan.passes) order.push_back(pass.node);
+    for (const NodeState state : {NodeState::Skipped, NodeState::Culled}) {
+        for (Index node = 0; node < plan.nodes.size(); ++node) {
+            if (passes[node] == noIndex && plan.nodes[node].state == state) order.push_back(node);
+        }
+    }
+    return order;
+}
+
+std::vector<Index> passOfNode(const Plan& plan) {
+    std::vector<Index> result(plan.nodes.size(), noIndex);
+    for (Index i = 0; i < plan.passes.size(); ++i) result[plan.passes[i].node] = i;
+    return result;
+}
+
+std::string formatName(const Plan& plan, const Resource& resource) {
+    if (!resource.isBuffer) return std::string(info(resource.format).name);
+    return plan.graph->nodes[resource.node].type->outputs[resource.port].bufferElement;
+}
+
+std::string sizeInWords(const Resource& resource) {
+    if (resource.isBuffer) return fmt::format("{} elements", resource.extent.width);
+    std::string words = fmt::format("{} x {}", resource.extent.width, resource.extent.height);
+    if (resource.mips > 1) words += fmt::format(", {} mips", resource.mips);
+    if (resource.layers > 1) words += fmt::format(", {} layers", resource.layers);
+    return words;
+}
+
+std::string bytesInWords(std::uint64_t bytes) {
+    static constexpr std::array<std::string_view, 5> units{"KiB", "MiB", "GiB", "TiB", "PiB"};
+    if (bytes < 1024) return fmt::format("{} B", bytes);
+    double amount = static_cast<double>(bytes) / 1024;
+    std::size_t unit = 0;
+    for (; amount >= 1024 && unit + 1 < units.size(); ++unit) amount /= 1024;
+    return fmt::format("{:.2f} {}", amount, units[unit]);
+}
+
+std::string transitionInWords(const Plan& plan, const Barrier& barrier) {
+    if (plan.resources[barrier.resource].isBuffer) return "";
+    if (barrier.oldLayout == barrier.newLayout) return fmt::format("stays {}", name(barrier.newLayout));
+    return fmt::format("{} -> {}", name(barrier.oldLayout), name(barrier.newLayout));
+}
+
+std::string dependencyInWords(const Barrier& barrier) {
+    const std::string after = usesInWords(barrier.usesAfter);
+    if (barrier.usesBefore == 0) return fmt::format("for {}, nothing to wait for", after);
+    return fmt::format("for {}, after {}", after, usesInWords(barrier.usesBefore));
+}
+
+}  // namespace nephrite::graph

@@ -1,0 +1,54 @@
+// A scene on the device: vertex, index and storage buffers, the environment, and descriptor set 0.
+#pragma once
+
+#include <vulkan/vulkan.h>
+
+#include <cstdint>
+#include <memory>
+#include <span>
+
+namespace nephrite::gpu {
+class Device;
+}
+
+namespace nephrite::scene {
+
+class Scene;
+
+/// The scene's buffers and its descriptor set (set 0 of every shader; see shader_interface.h).
+class GpuScene {
+  public:
+    /// Uploads everything. Both arguments must outlive it. Throws RunError if memory runs out.
+    GpuScene(const gpu::Device& device, const Scene& scene);
+    ~GpuScene();
+    GpuScene(GpuScene&&) noexcept;
+
+    VkDescriptorSetLayout descriptorSetLayout() const;
+    VkDescriptorSet descriptorSet() const;
+
+    /// Camera, light views, object matrices and, if they deform, vertices at `time` seconds, for an image of
+    /// `width` x `height`. Writes memory the GPU reads: no frame may be in flight. No command is recorded.
+    void update(double time, std::uint32_t width, std::uint32_t height);
+
+    /// Binds vertex and index buffers and draws each object, firstInstance = its index. Pipeline and set 0
+    /// are bound already.
+    void draw(VkCommandBuffer commands) const;
+
+    /// Position vec3, normal vec3, texture coordinates vec2: locations 0, 1, 2 of one binding of 32 bytes a
+    /// vertex.
+    static std::span<const VkVertexInputBindingDescription> vertexBindings();
+    static std::span<const VkVertexInputAttributeDescription> vertexAttributes();
+
+    /// The light that view `lightView` belongs to (iterationLight of a forEach pass).
+    std::uint32_t lightOfView(std::uint32_t lightView) const;
+    std::uint32_t lightViewCount() const;
+
+    std::uint64_t triangleCount() const;  ///< of all objects
+    std::uint64_t bytes() const;          ///< of device memory
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace nephrite::scene

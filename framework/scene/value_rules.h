@@ -1,0 +1,44 @@
+// Checked reading of the numbers, vectors and colours of scene files: each with its range, each fault named.
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "text/json.h"
+
+namespace nephrite::scene {
+
+/// What a number must be. The default bounds keep values, and their products, inside a float.
+struct NumberRule {
+    std::string_view expected = "a number between -1e15 and 1e15";
+    double least = -1e15;
+    double most = 1e15;
+    bool open = false;  ///< the bounds themselves are not allowed
+};
+
+inline constexpr NumberRule anyNumber{};
+inline constexpr NumberRule notNegative{"a number that is not negative (and at most 1e15)", 0};
+inline constexpr NumberRule positive{"a number greater than 0 (and less than 1e15)", 0, 1e15, true};
+inline constexpr NumberRule unitInterval{"a number between 0 and 1", 0, 1};
+
+/// Adds a fault and returns false if a number read at `where` breaks the rule.
+bool obeys(const NumberRule& rule, double number, const json::Value& where, Diagnostics& diagnostics);
+
+/// Sets `target` from a value if that is a number (three numbers) that obeys the rule, else adds a fault.
+void readNumber(const json::Value& value, const NumberRule& rule, double& target, Diagnostics& diagnostics);
+void readVector(const json::Value& value, const NumberRule& rule, glm::dvec3& target,
+                Diagnostics& diagnostics);
+
+/// The same for a member that may be missing; `target` then keeps its default.
+void readNumber(json::ObjectReader& object, std::string_view key, const NumberRule& rule, double& target);
+void readVector(json::ObjectReader& object, std::string_view key, const NumberRule& rule, glm::dvec3& target);
+void readBool(json::ObjectReader& object, std::string_view key, bool& target);
+
+/// The index of a string among the words known; adds a fault with a suggestion and returns nothing if it is
+/// none of them.
+std::optional<std::size_t> readWord(const json::Value& value, std::string_view what,
+                                    std::span<const std::string_view> known, Diagnostics& diagnostics);
+
+}  // namespace nephrite::scene

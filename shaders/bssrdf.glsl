@@ -1,0 +1,46 @@
+// The dipole model of multiple scattering in a half space: Jensen, Marschner, Levoy and Hanrahan, "A practical model for
+// subsurface light transport" (2001). Red, green and blue apart; coefficients in 1/mm.
+#ifndef BSSRDF_GLSL
+#define BSSRDF_GLSL
+
+#include "fresnel.glsl"
+
+struct Dipole {
+    vec3 reducedAlbedo;  // alpha' = sigma_s'/sigma_t'
+    vec3 transport;      // sigma_tr = sqrt(3 sigma_a sigma_t'), 1/mm
+    vec3 realDepth;      // z_r = 1/sigma_t', mm
+    vec3 virtualDepth;   // z_v = z_r (1 + 4A/3), mm
+};
+
+/// The dipole of a medium. Where it does not scatter, alpha' is 0 and the depths are 1 mm, so that R_d is 0 and not 0/0.
+Dipole dipoleOf(vec3 absorption, vec3 scattering, float g, float eta) {
+    vec3 reduced = (1.0 - g) * scattering;
+    bvec3 scatters = greaterThan(reduced, vec3(0.0));
+    vec3 extinction = mix(vec3(1.0), reduced + absorption, scatters);
+    float internalReflection = diffuseFresnelReflectance(eta);
+    float boundary = (1.0 + internalReflection) / (1.0 - internalReflection);
+
+    Dipole dipole;
+    dipole.reducedAlbedo = mix(vec3(0.0), reduced / extinction, scatters);
+    dipole.transport = sqrt(3.0 * absorption * extinction);
+    dipole.realDepth = 1.0 / extinction;
+    dipole.virtualDepth = dipole.realDepth * (1.0 + 4.0 / 3.0 * boundary);
+    return dipole;
+}
+
+/// One source of the dipole at depth z, seen from `squaredRadius` mm^2 along the surface, 1/mm^2.
+vec3 dipoleSource(vec3 z, vec3 transport, float squaredRadius) {
+    vec3 squaredDistance = squaredRadius + z * z;
+    vec3 attenuation = transport * sqrt(squaredDistance);
+    return z * (1.0 + attenuation) * exp(-attenuation) / (squaredDistance * sqrt(squaredDistance));
+}
+
+/// R_d(r): diffuse reflectance at distance r from where the light enters, 1/mm^2.
+vec3 diffuseReflectance(Dipole dipole, float squaredRadius) {
+    const float inverseFourPi = 0.0795774715459477;
+    return dipole.reducedAlbedo * inverseFourPi *
+           (dipoleSource(dipole.realDepth, dipole.transport, squaredRadius) +
+            dipoleSource(dipole.virtualDepth, dipole.transport, squaredRadius));
+}
+
+#endif

@@ -1,0 +1,44 @@
+// Reflection and refraction at a smooth dielectric boundary.
+// eta is the refractive index inside over the one outside; cosines are those of the direction outside.
+#ifndef FRESNEL_GLSL
+#define FRESNEL_GLSL
+
+/// Cosine of the refracted direction (Snell): 0 at total reflection, which needs eta < 1.
+float refractedCosine(float cosine, float eta) {
+    return sqrt(max(0.0, 1.0 - (1.0 - cosine * cosine) / (eta * eta)));
+}
+
+/// A direction that has entered the medium. `cosine` is -N.T; 0 means that nothing enters.
+struct RefractedDirection {
+    vec3 direction;
+    float cosine;
+};
+
+/// T = refract(-V, N, 1/eta) for the unit direction V towards the viewer and the unit normal N.
+/// The cosine is taken from Snell's law, not from -N.T, which cancels at grazing angles.
+RefractedDirection refractFrom(vec3 toViewer, vec3 normal, float eta) {
+    float cosineOutside = dot(normal, toViewer);
+    float cosineInside = refractedCosine(cosineOutside, eta);
+    vec3 direction = (cosineOutside / eta - cosineInside) * normal - toViewer / eta;
+    return RefractedDirection(direction, cosineInside);
+}
+
+/// Unpolarised reflectance of a dielectric boundary, Fresnel's equations; 1 at total reflection and at cosine <= 0.
+float fresnelReflectance(float cosine, float eta) {
+    float inside = refractedCosine(cosine, eta);
+    if (cosine <= 0.0 || inside <= 0.0) return 1.0;
+    float perpendicular = (cosine - eta * inside) / (cosine + eta * inside);
+    float parallel = (eta * cosine - inside) / (eta * cosine + inside);
+    return 0.5 * (perpendicular * perpendicular + parallel * parallel);
+}
+
+/// F_dr: the diffuse reflectance of the boundary seen from inside. Egan and Hilgeman's fit (1979), as quoted by
+/// Jensen et al. (2001); limited to 0.999 because the fit passes 1 near eta = 4.
+float diffuseFresnelReflectance(float eta) {
+    float inverse = 1.0 / eta;
+    float above = (-1.440 * inverse + 0.710) * inverse + 0.668 + 0.0636 * eta;
+    float below = -0.4399 + ((0.0636 * inverse - 0.3319) * inverse + 0.7099) * inverse;
+    return min(eta >= 1.0 ? above : below, 0.999);
+}
+
+#endif

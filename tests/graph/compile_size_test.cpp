@@ -1,0 +1,161 @@
+// Sizes, formats, layers, mips and memory of what a plan writes, and the sizes that are refused.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "graph/plan_support.h"
+
+namespace nephrite::graph::tests {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+Extent extentOf(std::string_view node, std::string_view nodes) {
+    const std::string graph =
+        R"({"parameters": {"n": {"value": 100}}, "nodes": {)" + std::string(nodes) + R"(}, "outputs": {"color": ")" +
+        std::string(node) + R"(.color"}})";
+    return resourceNamed(planOf(graph), std::string(node) + ".color").extent;
+}
+
+std::string faultOfShape(const std::string& members) {
+    const auto faults =
+        faultsOf(R"({"nodes": {"s": {"pass": "shape", )" + members + R"(}}, "outputs": {"color": "s.color"}})");
+    return faults.size() == 1 ? faults[0] : std::to_string(faults.size()) + " faults";
+}
+
+TEST(CompileSize, WithoutARuleOrAnInputItIsTheViews) {
+    EXPECT_EQ(extentOf("a", R"("a": {"pass": "source"})"), (Extent{640, 480}));
+}
+
+TEST(CompileSize, WithoutARuleItIsTheFirstConnectedInputs) {
+    EXPECT_EQ(extentOf("b", R"("a": {"pass": "source", "size": [30, 20]}, "b": {"pass": "filter", "in": {"a": "a.color"}})"),
+              (Extent{30, 20}));
+    // "like": "b" with nothing connected to b.
+    EXPECT_EQ(extentOf("s", R"("a": {"pass": "source", "size": [30, 20]}, "s": {"pass": "second-size", "in": {"a": "a.color"}})"),
+              (Extent{30, 20}));
+}
+
+TEST(CompileSize, TheManifestsLikeNamesAnInput) {
+    EXPECT_EQ(extentOf("s", R"("a": {"pass": "source", "size": [30, 20]}, "b": {"pass": "source", "size": [7, 9]},
+                               "s": {"pass": "second-size", "in": {"a": "a.color", "b": "b.color"}})"),
+              (Extent{7, 9}));
+}
+
+TEST(CompileSize, TheNodesLikeNamesAPortOfAnyNodeEvenACulledOne) {
+    EXPECT_EQ(extentOf("a", R"("a": {"pass": "source", "size": {"like": "z.color"}}, "z": {"pass": "source", "size": [5, 6]})"),
+              (Extent{5, 6}));
+}
+
+TEST(CompileSize, NumbersMayBeGraphParametersAndZeroIsTheViews) {
+    EXPECT_EQ(extentOf("a", R"("a": {"pass": "source", "size": ["$n", "$n"]})"), (Extent{100, 100}));
+    EXPECT_EQ(extentOf("a", R"("a": {"pass": "source", "size": [0, 32]})"), (Extent{640, 32}));
+}
+
+TEST(CompileSize, AScaleRoundsToNearestAndIsAtLeastOne) {
+    EXPECT_EQ(extentOf("a", R"("a": {"pass": "source", "size": {"scale": 0.333}})"), (Extent{213, 160}));
+    EXPECT_EQ(extentOf("a", R"("a": {"pass": "source", "size": {"scale": 0.0001}})"), (Extent{1, 1}));
+}
+
+TEST(CompileSize, MipsZeroIsTheFullChainAndMoreThanThatIsCut) {
+    const auto mips = [](const std::string& count) {
+        const Plan plan = planOf(R"({"nodes": {"s": {"pass": "shape", "set": {"mips": )" + count +
+                                 R"(}}}, "outputs": {"color": "s.color"}})");
+        return resourceNamed(plan, "s.color").mips;
+    };
+    EXPECT_EQ(mips("0"), 10U);  // 640 .. 1
+    EXPECT_EQ(mips("3"), 3U);
+    EXPECT_EQ(mips("30"), 10U);
+}
+
+TEST(CompileSize, BytesCountEveryLevelAndLayer) {
+    const Plan plan = planOf(R"({"nodes": {"s": {"pass": "shape", "size": [5, 3], "set": {"mips": 0, "layers": 4},
+        "format": {"color": "rgba32f"}}}, "outputs": {"color": "s.color"}})");
+    const Resource& image = resourceNamed(plan, "s.color");
+    EXPECT_EQ(image.mips, 3U);
+    EXPECT_EQ(image.bytes, (5U * 3 + 2 * 1 + 1 * 1) * 4U * 16U);
+}
+
+TEST(CompileSize, BuffersHaveAStd430StrideAndMayBeEmpty) {
+    const auto graph = [](const std::string& count) {
+        return R"({"nodes": {"a": {"pass": "source"}, "m": {"pass": "measure", "in": {"a": "a.color"}, "set": {"count": )" +
+               count + R"(}}, "s": {"pass": "summary", "in": {"sums": "m.sums"}}}, "outputs": {"color": "s.color"}})";
+    };
+    const Plan plan = planOf(graph("10"));
+    const Resource& sums = resourceNamed(plan, "m.sums");
+    EXPECT_TRUE(sums.isBuffer);
+    EXPECT_EQ(sums.extent, (Extent{10, 1}));
+    EXPECT_EQ(sums.bytes, 160U);
+    EXPECT_EQ(resourceNamed(plan, "s.color").extent, (Extent{4, 2}));
+
+    const Plan empty = planOf(graph("0"));
+    EXPECT_EQ(empty.outputs[passNamed(empty, "m").outputs.first], noIndex);
+    EXPECT_EQ(inputOf(empty, "s", "sums").resource, noIndex);
+
+    EXPECT_THAT(faultsOf(graph("-1")), ElementsAre(HasSubstr("m.sums: a buffer of -1 elements")));
+    EXPECT_THAT(faultsOf(graph("1e9")), ElementsAre(HasSubstr("m.sums: a buffer of 16000000000 bytes")));
+}
+
+TEST(CompileSize, NegativeAbsurdAndUndefinedSizesAreRefusedWhereTheyAreWritten) {
+    EXPECT_THAT(faultOfShape(R"("size": [-4, 8])"), HasSubstr("g.json:1:"));
+    EXPECT_THAT(faultsOf(R"({"parameters": {"n": {"value": -4}}, "nodes": {"s": {"pass": "draw", "size": ["$n", 8]}},
+                             "outputs": {"color": "s.color"}})"),
+                ElementsAre(HasSubstr("s.color: size -4 x 8, expected 1 to 16384 each way")));
+    EXPECT_THAT(faultOfShape(R"("size": ["1e9", 8])"), HasSubstr("size 1000000000 x 8"));
+    EXPECT_THAT(faultOfShape(R"("size": ["0.2", 8])"), HasSubstr("size 0.2 x 8"));
+    EXPECT_THAT(faultOfShape(R"("size": ["scene.animated / scene.animated", 8])"), HasSubstr("nan x 8"));
+    EXPECT_THAT(faultOfShape(R"("size": {"scale": "scene.animated"})"), HasSubstr("scale 0, expected more than 0"));
+    EXPECT_THAT(faultOfShape(R"("set": {"scale": -1})"), HasSubstr("p.json:"));
+}
+
+TEST(CompileSize, LayersAndMipsOutsideTheDevicesLimitsAreRefused) {
+    EXPECT_THAT(faultOfShape(R"("set": {"layers": 0})"), HasSubstr("s.color: 0 layers, expected 1 to 2048"));
+    EXPECT_THAT(faultOfShape(R"("set": {"layers": 2049})"), HasSubstr("2049 layers"));
+    EXPECT_THAT(faultOfShape(R"("set": {"mips": -1})"), HasSubstr("-1 mip levels"));
+    CompileRequest manyViews = request();
+    manyViews.facts.lightViews = 2049;
+    EXPECT_THAT(faultsOf(R"({"nodes": {"s": {"pass": "source", "forEach": "lights"}}, "outputs": {"color": "s.color"}})",
+                         manyViews),
+                ElementsAre(HasSubstr("2049 light views of 1 layers each make 2049 layers, expected at most 2048")));
+}
+
+TEST(CompileSize, AViewOutsideTheDevicesLimitsIsRefused) {
+    const auto* graph = R"({"nodes": {"a": {"pass": "source"}}, "outputs": {"color": "a.color"}})";
+    for (const Extent view : {Extent{0, 480}, Extent{640, 0}, Extent{16385, 480}}) {
+        CompileRequest wrong = request();
+        wrong.view = view;
+        EXPECT_THAT(faultsOf(graph, wrong), ElementsAre(HasSubstr("g.json: error: a picture of")));
+    }
+}
+
+TEST(CompileSize, TheSizeOfANodeThatIsSwitchedOffMayBeNonsense) {
+    EXPECT_THAT(faultsOf(R"({"parameters": {"n": {"value": 0}}, "nodes": {
+        "a": {"pass": "source"}, "s": {"pass": "source", "size": {"scale": "$n"}, "when": "graph.n > 0"},
+        "c": {"pass": "blend", "in": {"a": "a.color", "b": "s.color"}}}, "outputs": {"color": "c.color"}})"),
+                testing::IsEmpty());
+}
+
+TEST(CompileSize, ABillionBytesAThousandTimesStillAddUp) {
+    std::string nodes;
+    std::string outputs;
+    for (int i = 0; i < 1000; ++i) {
+        const std::string name = "n" + std::to_string(i);
+        nodes += "\"" + name + R"(": {"pass": "source", "size": [16384, 16384], "format": {"color": "rgba32f"}},)";
+        outputs += "\"" + name + "\": \"" + name + ".color\",";
+    }
+    const Plan plan = planOf(R"({"nodes": {)" + nodes + R"(}, "outputs": {)" + outputs + "}}");
+    EXPECT_EQ(plan.naiveBytes, 1000ULL * 16384 * 16384 * 16);
+    EXPECT_EQ(plan.peakLiveBytes, plan.naiveBytes);
+}
+
+TEST(CompileSize, PeakLiveBytesOfAChainAreTwoImages) {
+    const Plan plan = planOf(R"({"nodes": {"a": {"pass": "source"}, "b": {"pass": "filter", "in": {"a": "a.color"}},
+        "c": {"pass": "filter", "in": {"a": "b.color"}}, "d": {"pass": "filter", "in": {"a": "c.color"}}},
+        "outputs": {"color": "d.color"}})");
+    EXPECT_EQ(plan.naiveBytes, 4ULL * 640 * 480 * 8);
+    EXPECT_EQ(plan.peakLiveBytes, 2ULL * 640 * 480 * 8);
+    EXPECT_EQ(resourceNamed(plan, "b.color").first, 1U);
+    EXPECT_EQ(resourceNamed(plan, "b.color").last, 2U);
+}
+
+}  // namespace
+}  // namespace nephrite::graph::tests

@@ -1,0 +1,141 @@
+// Runs the commands that README.md and docs/*.md show: what a page tells a reader to type works as printed.
+#include <gtest/gtest.h>
+#include <stdlib.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace nephrite {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Every line of a page's ```sh blocks, those that end in a backslash joined with the next.
+std::vector<std::string> shellLines(const fs::path& page) {
+    std::ifstream stream(page);
+    std::vector<std::string> lines;
+    bool inShell = false;
+    bool continues = false;
+    for (std::string line; std::getline(stream, line);) {
+        if (line.starts_with("```")) {
+            inShell = line == "```sh";
+            continue;
+        }
+        if (!inShell) continue;
+        if (!continues) lines.emplace_back();
+        continues = line.ends_with('\\');
+        if (continues) line.pop_back();
+        lines.back() += line;
+    }
+    return lines;
+}
+
+/// The arguments of a line that calls the program; "" for any other line.
+std::string programArguments(const std::string& line) {
+    for (const std::string name : {"nephrite ", "build/release/nephrite "}) {
+        if (line.starts_with(name)) return line.substr(name.size());
+    }
+    return {};
+}
+
+std::vector<std::string> programCalls(const fs::path& page) {
+    std::vector<std::string> calls;
+    for (const std::string& line : shellLines(page)) {
+        if (const std::string arguments = programArguments(line); !arguments.empty())
+            calls.push_back(arguments);
+    }
+    return calls;
+}
+
+/// The pages with commands, as paths below the root of the tree.
+std::vector<std::string> pagesWithCommands() {
+    const fs::path root = NEPHRITE_SOURCE_DIR;
+    std::vector<fs::path> pages{root / "README.md"};
+    for (const auto& entry : fs::directory_iterator(root / "docs")) {
+        if (entry.path().extension() == ".md") pages.push_back(entry.path());
+    }
+    std::vector<std::string> names;
+    for (const fs::path& page : pages) {
+        if (!programCalls(page).empty()) names.push_back(fs::relative(page, root).string());
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+/// A copy of what the commands read, to run them in, with caches of its own.
+class Pages : public testing::TestWithParam<std::string> {
+  protected:
+    Pages() {
+        std::string name = (fs::temp_directory_path() / "nephrite-docs-XXXXXX").string();
+        if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no folder for the test");
+        folder_ = name;
+        for (const char* part : {"graphs", "passes", "shaders"}) {
+            fs::copy(fs::path(NEPHRITE_SOURCE_DIR) / part, folder_ / part, fs::copy_options::recursive);
+        }
+        fs::create_directory(folder_ / "out");
+        const int keepOther = 0;  // tools/test.sh sets caches that all tests share
+        ::setenv("MESA_SHADER_CACHE_DIR", (folder_ / "mesa").c_str(), keepOther);
+        ::setenv("XDG_CACHE_HOME", (folder_ / "cache").c_str(), keepOther);
+    }
+    ~Pages() override { fs::remove_all(folder_); }
+
+    /// Runs a call of the program and returns its exit status; what it printed goes to `printed`.
+    int run(const std::string& arguments, std::string& printed) const {
+        const fs::path log = folder_ / "log";
+        const std::string command = "cd '" + folder_.string() + "' && '" NEPHRITE_PROGRAM "' " + arguments;
+        const int status = std::system(("{ " + command + "; } > '" + log.string() + "' 2>&1").c_str());
+        std::ostringstream text;
+        text << std::ifstream(log).rdbuf();
+        printed = text.str();
+        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    }
+
+    /// The files out/... a call names, those with a frame number left out.
+    static std::vector<std::string> outputs(const std::string& arguments) {
+        std::vector<std::string> names;
+        for (std::size_t start = arguments.find("out/"); start != std::string::npos;
+             start = arguments.find("out/", start + 1)) {
+            const std::string name = arguments.substr(start, arguments.find_first_of(" '", start) - start);
+            if (name.find('%') == std::string::npos) names.push_back(name);
+        }
+        return names;
+    }
+
+    fs::path folder_;
+};
+
+TEST_P(Pages, CommandsWorkAsPrinted) {
+    for (const std::string& arguments : programCalls(fs::path(NEPHRITE_SOURCE_DIR) / GetParam())) {
+        std::string printed;
+        EXPECT_EQ(run(arguments, printed), 0) << "nephrite " << arguments << '\n' << printed;
+        for (const std::string& name : outputs(arguments)) {
+            std::error_code missing;
+            EXPECT_GT(fs::file_size(folder_ / name, missing), 0U) << name;
+            EXPECT_FALSE(missing) << name << ": " << missing.message();
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Docs, Pages, testing::ValuesIn(pagesWithCommands()), [](const auto& page) {
+    std::string name = page.param;
+    std::replace_if(
+        name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+    return name;
+});
+
+TEST(Docs, TheQuickStartHasCommands) {
+    const auto pages = pagesWithCommands();
+    EXPECT_NE(std::find(pages.begin(), pages.end(), "docs/quick-start.md"), pages.end());
+    EXPECT_NE(std::find(pages.begin(), pages.end(), "README.md"), pages.end());
+}
+
+}  // namespace
+}  // namespace nephrite

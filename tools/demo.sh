@@ -1,0 +1,23 @@
+#!/usr/bin/env bash
+# From a bare Debian or Ubuntu to a picture: installs what is missing, builds, renders the default graph and the
+# embedded scene to out/.
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/environment.sh"
+
+tools/setup.sh
+cmake --preset release
+cmake --build --preset release --target nephrite
+
+nephrite=build/release/nephrite
+graph=graphs/paper.json
+mkdir -p out
+echo "demo: rendering $graph"
+"$nephrite" render "$graph" -o out/paper.exr
+"$nephrite" render "$graph" -o out/paper.png
+"$nephrite" render "$graph" --profile --frames 10 --timings out/timings.json
+for format in svg dot json txt; do
+    "$nephrite" plan "$graph" -o "out/plan.$format"
+done
+
+echo "demo: wrote"
+ls -l out/paper.exr out/paper.png out/timings.json out/plan.svg out/plan.dot out/plan.json out/plan.txt

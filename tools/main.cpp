@@ -1,0 +1,58 @@
+// The `nephrite` program: parses the command line, runs a verb, and answers with the exit status of
+// docs/quick-start.md: 0 done, 1 it failed while running, 2 what it was given is wrong.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <new>
+
+#include "text/diagnostics.h"
+#include "verbs.h"
+
+namespace {
+
+void printLine(std::string_view line) {
+    fmt::print(stderr, "{}\n", line);
+}
+
+/// Failures that name no file of their own are the program's.
+std::string withSubject(const std::string& message) {
+    return message.find(": error: ") == std::string::npos ? "nephrite: error: " + message : message;
+}
+
+int run(const nephrite::tools::Action& action) {
+    try {
+        action();
+        return 0;
+    } catch (const nephrite::InputError& error) {
+        for (const auto& fault : error.faults()) printLine(nephrite::toLine(fault));
+        return 2;
+    } catch (const std::bad_alloc&) {
+        printLine("nephrite: error: out of memory");
+        return 1;
+    } catch (const std::exception& error) {
+        printLine(withSubject(error.what()));
+        return 1;
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app{"Nephrite: render graphs as data, for research in rendering"};
+    app.require_subcommand(1);
+    nephrite::tools::Action action;
+    nephrite::tools::addRenderVerb(app, action);
+    nephrite::tools::addPlanVerb(app, action);
+    nephrite::tools::addCheckVerb(app, action);
+    nephrite::tools::addPassesVerb(app, action);
+    nephrite::tools::addSchemaVerb(app, action);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::CallForHelp& help) {
+        return app.exit(help);
+    } catch (const CLI::ParseError& error) {
+        printLine(std::string("nephrite: error: ") + error.what());
+        return 2;
+    }
+    return run(action);
+}

@@ -1,0 +1,53 @@
+// Parsing of shared command-line values.
+#include "options.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+#include "text/diagnostics.h"
+
+namespace nephrite::tools {
+namespace {
+
+constexpr std::uint32_t largestSide = 16384;
+
+std::optional<std::uint32_t> side(std::string_view text) {
+    std::uint32_t value = 0;
+    const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (failure != std::errc{} || end != text.data() + text.size() || value == 0 || value > largestSide)
+        return std::nullopt;
+    return value;
+}
+
+}  // namespace
+
+void GraphArguments::addTo(CLI::App& verb) {
+    verb.add_option("graph", graph, "Graph file")->required();
+    verb.add_option("--scene", scene, "Scene file (default: the embedded scene)");
+    verb.add_option("--size", size, "Output size in pixels, WIDTHxHEIGHT")->capture_default_str();
+    verb.add_option("--set", settings, "Set a parameter: NODE.PARAM=JSON or PARAM=JSON")
+        ->expected(1)
+        ->take_all();
+    verb.add_option("--pass-path", passPaths, "Another folder of pass manifests")->expected(1)->take_all();
+}
+
+graph::Extent GraphArguments::extent() const {
+    const std::size_t cross = size.find('x');
+    const auto width = side(std::string_view(size).substr(0, cross));
+    const auto height =
+        cross == std::string::npos ? std::nullopt : side(std::string_view(size).substr(cross + 1));
+    if (!width || !height)
+        throw InputError({"--size"}, fmt::format("expected WIDTHxHEIGHT, each from 1 to {}, found \"{}\"",
+                                                 largestSide, size));
+    return {*width, *height};
+}
+
+std::pair<std::string, std::string> splitAssignment(const std::string& option, const std::string& text) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos || equals == 0 || equals + 1 == text.size())
+        throw InputError({option}, fmt::format("expected NAME=VALUE, found \"{}\"", text));
+    return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
+}  // namespace nephrite::tools

@@ -1,0 +1,30 @@
+// Command-line values that several verbs read the same way.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "graph/plan.h"
+
+namespace nephrite::tools {
+
+/// What names a graph, a scene and an output size.
+struct GraphArguments {
+    std::filesystem::path graph;
+    std::filesystem::path scene;
+    std::string size = "512x512";
+    std::vector<std::string> settings;
+    std::vector<std::filesystem::path> passPaths;
+
+    void addTo(CLI::App& verb);
+    /// Width and height of "WxH". Throws InputError unless both are whole numbers from 1 to 16384.
+    graph::Extent extent() const;
+};
+
+/// `NAME=REST` split at the first `=`. Throws InputError if there is none.
+std::pair<std::string, std::string> splitAssignment(const std::string& option, const std::string& text);
+
+}  // namespace nephrite::tools

@@ -1,0 +1,213 @@
+// `nephrite render`: renders frames of a graph and writes pictures, dumps and timings.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+
+#include "commit.h"
+#include "image/exr.h"
+#include "image/frame_name.h"
+#include "image/png.h"
+#include "image/tone_map.h"
+#include "interrupt.h"
+#include "options.h"
+#include "runtime/session.h"
+#include "timings_report.h"
+#include "verbs.h"
+
+namespace nephrite::tools {
+namespace {
+
+struct RenderArguments {
+    GraphArguments graph;
+    std::vector<std::string> outputs;
+    std::vector<std::string> dumps;
+    std::filesystem::path timings;
+    std::string device;
+    std::string validation = "off";
+    double time = 0;
+    std::uint32_t frames = 1;
+    double framesPerSecond = 30;
+    std::optional<std::uint32_t> warmup;
+    std::optional<std::uint32_t> omitBarrier;
+    bool profile = false;
+    bool noSkip = false;
+};
+
+/// A port of the session and the file it goes to.
+struct Target {
+    std::string port;
+    image::FrameName file;
+};
+
+void requirePictureName(const std::string& option, const std::string& name) {
+    const std::string extension = std::filesystem::path(name).extension().string();
+    if (extension != ".exr" && extension != ".png")
+        throw InputError({option}, fmt::format("expected a name ending in .exr or .png, found \"{}\"", name));
+}
+
+std::vector<Target> targetsOf(const RenderArguments& arguments) {
+    std::vector<Target> targets;
+    for (const std::string& output : arguments.outputs) {
+        requirePictureName("-o", output);
+        targets.push_back({"color", image::FrameName(output)});
+    }
+    for (const std::string& dump : arguments.dumps) {
+        const auto [port, file] = splitAssignment("--dump", dump);
+        requirePictureName("--dump", file);
+        targets.push_back({port, image::FrameName(file)});
+    }
+    return targets;
+}
+
+runtime::Validation validationOf(const std::string& name) {
+    if (name == "sync") return runtime::Validation::Sync;
+    return name == "core" ? runtime::Validation::Core : runtime::Validation::Off;
+}
+
+runtime::SessionOptions sessionOptions(const RenderArguments& arguments) {
+    runtime::SessionOptions options;
+    options.graph = arguments.graph.graph;
+    options.scene = arguments.graph.scene;
+    options.size = arguments.graph.extent();
+    options.settings = arguments.graph.settings;
+    options.passPaths = arguments.graph.passPaths;
+    for (const std::string& dump : arguments.dumps)
+        options.dumps.push_back(splitAssignment("--dump", dump).first);
+    options.time = arguments.time;
+    options.device = arguments.device;
+    options.validation = validationOf(arguments.validation);
+    options.skip = !arguments.noSkip;
+    options.profile = arguments.profile;
+    options.omitBarrier = arguments.omitBarrier;
+    return options;
+}
+
+const graph::GraphParameter* findParameter(const graph::Plan& plan, std::string_view name) {
+    for (const graph::GraphParameter& parameter : plan.graph->description.parameters)
+        if (parameter.name == name) return &parameter;
+    return nullptr;
+}
+
+/// What a reader of the EXR has to know to make it again.
+image::Metadata metadata(const RenderArguments& arguments, const runtime::Session& session) {
+    image::Metadata data{
+        {"graph", arguments.graph.graph.string()},
+        {"scene", arguments.graph.scene.empty() ? "default" : arguments.graph.scene.string()},
+        {"commit", commit},
+        {"device", session.deviceName()}};
+    if (const auto* weights = findParameter(session.plan(), "weights")) {
+        std::string list;
+        for (const double weight : weights->value.components)
+            list += fmt::format("{}{:.17g}", list.empty() ? "" : " ", weight);
+        data["weights"] = list;
+    }
+    return data;
+}
+
+/// The graph parameter `exposure`, if it has one; 0 stands for automatic exposure.
+image::ToneMapping toneMapping(const graph::Plan& plan) {
+    image::ToneMapping mapping;
+    const auto* exposure = findParameter(plan, "exposure");
+    if (exposure != nullptr && exposure->value.components.size() == 1 && exposure->value.components[0] != 0)
+        mapping.exposure = static_cast<float>(exposure->value.components[0]);
+    return mapping;
+}
+
+void writeTarget(const Target& target, std::uint32_t frame, const RenderArguments& arguments,
+                 runtime::Session& session) {
+    const image::Image image = session.read(target.port);
+    const std::filesystem::path file = target.file.of(frame);
+    if (file.extension() == ".png")
+        image::writePng(file, image::toneMap(image, toneMapping(session.plan())));
+    else
+        image::writeExr(file, image, metadata(arguments, session));
+}
+
+TimingsReport emptyReport(const RenderArguments& arguments, const runtime::Session& session) {
+    TimingsReport report;
+    report.device = session.deviceName();
+    report.driver = session.driverName();
+    report.commit = commit;
+    report.graph = arguments.graph.graph.string();
+    report.scene = arguments.graph.scene.empty() ? "default" : arguments.graph.scene.string();
+    report.width = session.plan().view.width;
+    report.height = session.plan().view.height;
+    report.profiled = arguments.profile;
+    for (const auto& pass : session.plan().passes) report.passes.push_back(session.plan().nameOf(pass));
+    for (graph::Index node = 0; node < session.plan().nodes.size(); ++node)
+        if (session.plan().nodes[node].state == graph::NodeState::Skipped)
+            report.skipped.push_back(session.plan().graph->nodeName(node));
+    return report;
+}
+
+void requireOutput(const runtime::Session& session, const RenderArguments& arguments) {
+    if (arguments.outputs.empty()) return;
+    const auto& requested = session.plan().requested;
+    if (std::none_of(requested.begin(), requested.end(),
+                     [](const auto& output) { return output.name == "color"; }))
+        throw InputError({arguments.graph.graph.string()},
+                         "-o writes the output \"color\", which this graph does not have");
+}
+
+void render(const RenderArguments& arguments) {
+    if (!std::isfinite(arguments.time)) throw InputError({"--time"}, "expected a finite number of seconds");
+    if (arguments.framesPerSecond <= 0 || !std::isfinite(arguments.framesPerSecond))
+        throw InputError({"--fps"}, "expected a number above 0");
+    const std::vector<Target> targets = targetsOf(arguments);
+    runtime::Session session(sessionOptions(arguments));
+    for (const Diagnostic& warning : session.diagnostics().warnings())
+        fmt::print(stderr, "{}\n", toLine(warning, "warning"));
+    requireOutput(session, arguments);
+
+    TimingsReport report = emptyReport(arguments, session);
+    report.warmup = arguments.warmup.value_or(arguments.timings.empty() ? 0 : 3);
+    catchInterrupts();
+    for (std::uint32_t i = 0; i < report.warmup && !interrupted(); ++i) session.renderFrame(arguments.time);
+    for (std::uint32_t frame = 0; frame < arguments.frames; ++frame) {
+        if (interrupted())
+            throw RunError(fmt::format("interrupted after {} of {} frames", frame, arguments.frames));
+        report.frames.push_back(session.renderFrame(arguments.time + frame / arguments.framesPerSecond));
+        for (const Target& target : targets)
+            if (target.file.isNumbered() || frame + 1 == arguments.frames)
+                writeTarget(target, frame, arguments, session);
+    }
+    if (!arguments.timings.empty()) writeTimings(arguments.timings, report);
+}
+
+}  // namespace
+
+void addRenderVerb(CLI::App& app, Action& action) {
+    CLI::App* verb = app.add_subcommand("render", "Render frames of a graph to files");
+    auto arguments = std::make_shared<RenderArguments>();
+    arguments->graph.addTo(*verb);
+    verb->add_option("-o,--output", arguments->outputs,
+                     "Where output \"color\" goes: F.exr or F.png; %04d numbers the frames")
+        ->expected(1)
+        ->take_all();
+    verb->add_option("--dump", arguments->dumps, "Write any port: NODE.PORT=F.exr")->expected(1)->take_all();
+    verb->add_option("--time", arguments->time, "Seconds of the scene's animation at the first frame")
+        ->capture_default_str();
+    verb->add_option("--frames", arguments->frames, "How many frames")
+        ->check(CLI::Range(1U, 1000000U))
+        ->capture_default_str();
+    verb->add_option("--fps", arguments->framesPerSecond, "Frames a second of the animation")
+        ->capture_default_str();
+    verb->add_option("--timings", arguments->timings, "Write times: F.json, F.csv or F.trace.json");
+    verb->add_option("--warmup", arguments->warmup,
+                     "Frames rendered before the first that counts (default: 3 with --timings, else 0)");
+    verb->add_flag("--profile", arguments->profile, "Time each pass alone: a full barrier around it");
+    verb->add_option("--validation", arguments->validation, "off, core or sync")
+        ->check(CLI::IsMember({"off", "core", "sync"}))
+        ->capture_default_str();
+    verb->add_flag("--no-skip", arguments->noSkip,
+                   "Run every needed pass, also those the scene does not need");
+    verb->add_option("--omit-barrier", arguments->omitBarrier,
+                     "Leave out barrier N of the plan, to see that --validation sync notices");
+    verb->add_option("--device", arguments->device, "Part of the name of the device to use");
+    verb->callback([&action, arguments] { action = [arguments] { render(*arguments); }; });
+}
+
+}  // namespace nephrite::tools

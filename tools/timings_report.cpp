@@ -1,0 +1,192 @@
+// Statistics over frames and the three ways they are written.
+#include "timings_report.h"
+
+#include <fmt/format.h>
+#include <json/json.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "image/output_file.h"
+
+namespace nephrite::tools {
+namespace {
+
+using runtime::FrameTimes;
+
+struct Statistics {
+    double median = 0;
+    double p95 = 0;
+    double min = 0;
+};
+
+/// Median (mean of the middle two), 95th percentile (nearest rank) and minimum.
+Statistics statistics(std::vector<double> values) {
+    if (values.empty()) return {};
+    std::sort(values.begin(), values.end());
+    const std::size_t n = values.size();
+    const auto rank = static_cast<std::size_t>(std::ceil(0.95 * static_cast<double>(n)));
+    return {(values[(n - 1) / 2] + values[n / 2]) / 2, values[rank - 1], values.front()};
+}
+
+Statistics over(const TimingsReport& report, const std::function<double(const FrameTimes&)>& value) {
+    std::vector<double> values;
+    for (const FrameTimes& frame : report.frames) values.push_back(value(frame));
+    return statistics(std::move(values));
+}
+
+double gpuSum(const FrameTimes& frame) {
+    double sum = 0;
+    for (const auto& pass : frame.passes) sum += pass.gpuMs;
+    return sum;
+}
+
+/// A line of the report: a pass, or one of the rows around them.
+struct Row {
+    std::string name;
+    Statistics gpu;
+    Statistics cpu;
+};
+
+std::vector<Row> passRows(const TimingsReport& report) {
+    std::vector<Row> rows;
+    for (std::size_t i = 0; i < report.passes.size(); ++i)
+        rows.push_back({report.passes[i],
+                        over(report, [i](const FrameTimes& f) { return f.passes[i].gpuMs; }),
+                        over(report, [i](const FrameTimes& f) { return f.passes[i].cpuMs; })});
+    return rows;
+}
+
+std::vector<Row> frameRows(const TimingsReport& report) {
+    return {{"recording", {}, over(report, [](const FrameTimes& f) { return f.recordMs; })},
+            {"waiting", {}, over(report, [](const FrameTimes& f) { return f.waitMs; })}};
+}
+
+Json::Value asJson(const Statistics& statistics) {
+    Json::Value value;
+    value["median"] = statistics.median;
+    value["p95"] = statistics.p95;
+    value["min"] = statistics.min;
+    return value;
+}
+
+std::string written(const Json::Value& value) {
+    Json::StreamWriterBuilder builder;
+    builder["indentation"] = "  ";
+    builder["precision"] = 17;
+    return Json::writeString(builder, value) + "\n";
+}
+
+Json::Value passEntry(const Row& row, std::size_t ran, std::size_t skipped) {
+    Json::Value entry;
+    entry["name"] = row.name;
+    entry["gpuMs"] = asJson(row.gpu);
+    entry["cpuMs"] = asJson(row.cpu);
+    entry["ran"] = static_cast<Json::UInt64>(ran);
+    entry["skipped"] = static_cast<Json::UInt64>(skipped);
+    return entry;
+}
+
+Json::Value traceEvent(std::string_view name, int lane, double startMs, double durationMs) {
+    Json::Value event;
+    event["name"] = std::string(name);
+    event["ph"] = "X";
+    event["pid"] = 1;
+    event["tid"] = lane;
+    event["ts"] = startMs * 1000;
+    event["dur"] = durationMs * 1000;
+    return event;
+}
+
+Json::Value laneName(int lane, const char* name) {
+    Json::Value event;
+    event["name"] = "thread_name";
+    event["ph"] = "M";
+    event["pid"] = 1;
+    event["tid"] = lane;
+    event["args"]["name"] = name;
+    return event;
+}
+
+constexpr int cpuLane = 1;
+constexpr int gpuLane = 2;
+
+/// The GPU's part of a frame is drawn right after recording: the waiting time is its own lead and tail.
+void appendFrame(Json::Value& events, const TimingsReport& report, std::size_t index, double start) {
+    const FrameTimes& frame = report.frames[index];
+    const std::string name = fmt::format("frame {}", index);
+    events.append(traceEvent(name, cpuLane, start, frame.wallMs));
+    events.append(traceEvent("recording", cpuLane, start, frame.recordMs));
+    events.append(traceEvent("waiting", cpuLane, start + frame.recordMs, frame.wallMs - frame.recordMs));
+    double at = start + frame.recordMs + frame.waitMs / 2;
+    events.append(traceEvent(name, gpuLane, at, gpuSum(frame)));
+    for (std::size_t i = 0; i < report.passes.size(); ++i) {
+        events.append(traceEvent(report.passes[i], gpuLane, at, frame.passes[i].gpuMs));
+        at += frame.passes[i].gpuMs;
+    }
+}
+
+}  // namespace
+
+std::string timingsAsJson(const TimingsReport& report) {
+    Json::Value root;
+    root["device"] = report.device;
+    root["driver"] = report.driver;
+    root["commit"] = report.commit;
+    root["graph"] = report.graph;
+    root["scene"] = report.scene;
+    root["width"] = report.width;
+    root["height"] = report.height;
+    root["frames"] = static_cast<Json::UInt64>(report.frames.size());
+    root["warmup"] = report.warmup;
+    root["profiled"] = report.profiled;
+    root["wallMs"] = asJson(over(report, [](const FrameTimes& f) { return f.wallMs; }));
+    root["gpuMs"] = asJson(over(report, gpuSum));
+    root["cpuMs"] = asJson(over(report, [](const FrameTimes& f) { return f.recordMs; }));
+    root["passes"] = Json::arrayValue;
+    for (const Row& row : passRows(report)) root["passes"].append(passEntry(row, report.frames.size(), 0));
+    for (const std::string& name : report.skipped)
+        root["passes"].append(passEntry({name, {}, {}}, 0, report.frames.size()));
+    root["rows"] = Json::arrayValue;
+    for (const Row& row : frameRows(report)) {
+        Json::Value entry;
+        entry["name"] = row.name;
+        entry["cpuMs"] = asJson(row.cpu);
+        root["rows"].append(entry);
+    }
+    return written(root);
+}
+
+std::string timingsAsCsv(const TimingsReport& report) {
+    std::string text = "name,gpuMedianMs,gpuP95Ms,gpuMinMs,cpuMedianMs,cpuP95Ms,cpuMinMs\n";
+    std::vector<Row> rows = passRows(report);
+    for (Row& row : frameRows(report)) rows.push_back(std::move(row));
+    rows.push_back({"wall", {}, over(report, [](const FrameTimes& f) { return f.wallMs; })});
+    for (const Row& row : rows)
+        text += fmt::format("{},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}\n", row.name, row.gpu.median,
+                            row.gpu.p95, row.gpu.min, row.cpu.median, row.cpu.p95, row.cpu.min);
+    return text;
+}
+
+std::string timingsAsTrace(const TimingsReport& report) {
+    Json::Value root;
+    Json::Value& events = root["traceEvents"];
+    events.append(laneName(cpuLane, "CPU"));
+    events.append(laneName(gpuLane, "GPU"));
+    double start = 0;
+    for (std::size_t i = 0; i < report.frames.size(); ++i) {
+        appendFrame(events, report, i, start);
+        start += report.frames[i].wallMs;
+    }
+    root["displayTimeUnit"] = "ms";
+    return written(root);
+}
+
+void writeTimings(const std::filesystem::path& file, const TimingsReport& report) {
+    if (file.extension() == ".csv") return image::writeFile(file, timingsAsCsv(report));
+    const bool trace = file.extension() == ".json" && file.stem().extension() == ".trace";
+    image::writeFile(file, trace ? timingsAsTrace(report) : timingsAsJson(report));
+}
+
+}  // namespace nephrite::tools
