@@ -13,20 +13,23 @@ namespace {
 void checkName(const json::Value& member, const std::string& name, std::string_view what, bool dashes,
                Diagnostics& diagnostics) {
     if (isIdentifier(name, dashes)) return;
-    diagnostics.error(member.whereKey(), fmt::format("{} cannot be called {}: expected letters, digits{} and _, no digit first",
-                                                     what, inQuotes(name), dashes ? ", -" : ""));
+    diagnostics.error(member.whereKey(),
+                      fmt::format("{} cannot be called {}: expected letters, digits{} and _, no digit first",
+                                  what, inQuotes(name), dashes ? ", -" : ""));
 }
 
 /// The members of `value`, or a fault if it is no object.
 std::vector<std::pair<std::string, json::Value>> membersOf(const json::Value& value, std::string_view what,
                                                            Diagnostics& diagnostics) {
     if (!value.isObject()) {
-        diagnostics.error(value.where(), fmt::format("expected an object of {}, found {}", what, value.describe()));
+        diagnostics.error(value.where(),
+                          fmt::format("expected an object of {}, found {}", what, value.describe()));
     }
     return value.members();
 }
 
-std::vector<std::pair<std::string, PortReference>> readConnections(const json::Value& value, std::string_view what,
+std::vector<std::pair<std::string, PortReference>> readConnections(const json::Value& value,
+                                                                   std::string_view what,
                                                                    Diagnostics& diagnostics) {
     std::vector<std::pair<std::string, PortReference>> connections;
     for (const auto& [name, member] : membersOf(value, what, diagnostics)) {
@@ -63,7 +66,8 @@ class NodeReader {
             node_.wherePass = value->where();
         }
         readIteration();
-        if (const auto value = object_.optional("in")) node_.inputs = readConnections(*value, "inputs", diagnostics_);
+        if (const auto value = object_.optional("in"))
+            node_.inputs = readConnections(*value, "inputs", diagnostics_);
         if (const auto value = object_.optional("set")) readSettings(*value);
         if (const auto value = object_.optional("format")) readFormats(*value);
         if (const auto value = object_.optional("when")) node_.when = readExpression(*value, diagnostics_);
@@ -84,7 +88,8 @@ class NodeReader {
         if (!value) return;
         node_.view = static_cast<ViewKind>(readChoice(*value, views, diagnostics_).value_or(0));
         if (node_.view == ViewKind::Light && !node_.forEachLight) {
-            diagnostics_.error(value->where(), "a node with the view \"light\" needs \"forEach\": \"lights\"");
+            diagnostics_.error(value->where(),
+                               "a node with the view \"light\" needs \"forEach\": \"lights\"");
         }
     }
 
@@ -121,7 +126,8 @@ class NodeReader {
 
 void readNodes(const json::Value& value, GraphDescription& graph, Diagnostics& diagnostics) {
     const auto members = membersOf(value, "nodes", diagnostics);
-    if (value.isObject() && members.empty()) diagnostics.error(value.where(), "a graph needs at least one node");
+    if (value.isObject() && members.empty())
+        diagnostics.error(value.where(), "a graph needs at least one node");
     graph.nodes.reserve(members.size());
     for (const auto& [name, member] : members) {
         checkName(member, name, "a node", true, diagnostics);
@@ -131,8 +137,9 @@ void readNodes(const json::Value& value, GraphDescription& graph, Diagnostics& d
 
 void readOutputs(const json::Value& value, GraphDescription& graph, Diagnostics& diagnostics) {
     if (value.isObject() && value.size() == 0) {
-        diagnostics.error(value.where(), "a graph without outputs computes nothing, expected at least one "
-                                         "\"name\": \"node.port\"");
+        diagnostics.error(value.where(),
+                          "a graph without outputs computes nothing, expected at least one "
+                          "\"name\": \"node.port\"");
     }
     graph.outputs = readConnections(value, "outputs", diagnostics);
 }
@@ -142,7 +149,8 @@ void readOutputs(const json::Value& value, GraphDescription& graph, Diagnostics&
 std::optional<PortReference> readPortReference(const std::string& text, const SourceLocation& where,
                                                Diagnostics& diagnostics) {
     const std::size_t dot = text.find('.');
-    const bool wellFormed = dot != std::string::npos && isIdentifier(std::string_view(text).substr(0, dot), true) &&
+    const bool wellFormed = dot != std::string::npos &&
+                            isIdentifier(std::string_view(text).substr(0, dot), true) &&
                             isIdentifier(std::string_view(text).substr(dot + 1));
     if (!wellFormed) {
         diagnostics.error(where, fmt::format("expected a \"node.port\", found {}", inQuotes(text)));
@@ -157,7 +165,8 @@ GraphDescription readGraph(const json::Value& value) {
     graph.file = value.where().file;
     graph.name = std::filesystem::path(graph.file).stem().string();
     json::ObjectReader object(value, "a graph", keys::graph(), diagnostics);
-    if (const auto name = object.optional("name")) graph.name = name->string(diagnostics, "a string").value_or("");
+    if (const auto name = object.optional("name"))
+        graph.name = name->string(diagnostics, "a string").value_or("");
     if (const auto doc = object.optional("doc")) doc->string(diagnostics, "a string");
     if (const auto parameters = object.optional("parameters")) {
         for (const auto& [name, member] : membersOf(*parameters, "parameters", diagnostics)) {
@@ -174,6 +183,8 @@ GraphDescription readGraph(const json::Value& value) {
     return graph;
 }
 
-GraphDescription readGraph(const std::filesystem::path& file) { return readGraph(json::parseFile(file)); }
+GraphDescription readGraph(const std::filesystem::path& file) {
+    return readGraph(json::parseFile(file));
+}
 
 }  // namespace nephrite::graph

@@ -1,4 +1,5 @@
-// What a graph file says, in the file's own words: names are not looked up yet. link() turns it into a LinkedGraph.
+// What a graph file says, in the file's own words: names are not looked up yet. link() turns it into a
+// LinkedGraph.
 #pragma once
 
 #include <array>
@@ -19,7 +20,8 @@ struct PortReference {
     SourceLocation whereKey{};  ///< of the input's or output's name that it is given to, in a graph file
 };
 /// Splits "node.port"; adds a fault and returns nothing if it has another form.
-std::optional<PortReference> readPortReference(const std::string& text, const SourceLocation& where, Diagnostics& diagnostics);
+std::optional<PortReference> readPortReference(const std::string& text, const SourceLocation& where,
+                                               Diagnostics& diagnostics);
 
 /// A graph parameter: a bool, a number, or an array of numbers.
 struct GraphParameter {
@@ -52,20 +54,20 @@ struct NodeDescription {
     std::string passType;
     ViewKind view = ViewKind::Camera;
     bool forEachLight = false;
-    std::optional<SizeRule> size;                  ///< applies to every output of the node
+    std::optional<SizeRule> size;  ///< applies to every output of the node
     std::vector<std::pair<std::string, PortReference>> inputs;
     std::vector<ParameterSetting> settings;
     std::vector<FormatOverride> formats;
     std::optional<Expression> when;
     SourceLocation where;
-    SourceLocation wherePass;                      ///< of the "pass" value
+    SourceLocation wherePass;  ///< of the "pass" value
 };
 
 struct GraphDescription {
     std::string name;
     std::string file;
     std::vector<GraphParameter> parameters;
-    std::vector<NodeDescription> nodes;            ///< in the file's order
+    std::vector<NodeDescription> nodes;  ///< in the file's order
     std::vector<std::pair<std::string, PortReference>> outputs;
 };
 

@@ -8,26 +8,41 @@ namespace {
 
 using Code = Expression::Instruction::Code;
 
-double truth(bool value) { return value ? 1.0 : 0.0; }
+double truth(bool value) {
+    return value ? 1.0 : 0.0;
+}
 
 double apply(Code code, double left, double right) {
     switch (code) {
-        case Code::Or: return truth(left != 0 || right != 0);
-        case Code::And: return truth(left != 0 && right != 0);
-        case Code::Equal: return truth(left == right);
-        case Code::NotEqual: return truth(left != right);
-        case Code::Less: return truth(left < right);
-        case Code::LessEqual: return truth(left <= right);
-        case Code::Greater: return truth(left > right);
-        case Code::GreaterEqual: return truth(left >= right);
-        case Code::Add: return left + right;
-        case Code::Subtract: return left - right;
-        case Code::Multiply: return left * right;
-        case Code::Divide: return left / right;
+        case Code::Or:
+            return truth(left != 0 || right != 0);
+        case Code::And:
+            return truth(left != 0 && right != 0);
+        case Code::Equal:
+            return truth(left == right);
+        case Code::NotEqual:
+            return truth(left != right);
+        case Code::Less:
+            return truth(left < right);
+        case Code::LessEqual:
+            return truth(left <= right);
+        case Code::Greater:
+            return truth(left > right);
+        case Code::GreaterEqual:
+            return truth(left >= right);
+        case Code::Add:
+            return left + right;
+        case Code::Subtract:
+            return left - right;
+        case Code::Multiply:
+            return left * right;
+        case Code::Divide:
+            return left / right;
         case Code::Constant:
         case Code::Name:
         case Code::Not:
-        case Code::Negate: break;
+        case Code::Negate:
+            break;
     }
     return 0;
 }
@@ -46,7 +61,8 @@ Expression Expression::graphParameter(std::string name, SourceLocation where) {
     Expression expression;
     expression.text_ = "$" + name;
     expression.where_ = where;
-    expression.names_ = {{ExpressionName::Space::GraphParameter, std::move(name), std::nullopt, std::move(where)}};
+    expression.names_ = {
+        {ExpressionName::Space::GraphParameter, std::move(name), std::nullopt, std::move(where)}};
     expression.program_ = {{Code::Name, 0, 0}};
     return expression;
 }

@@ -1,8 +1,9 @@
-// The expression language of graphs and manifests: `when`, `skipWhen`, `neededWhen`, sizes, layer and element counts.
+// The expression language of graphs and manifests: `when`, `skipWhen`, `neededWhen`, sizes, layer and element
+// counts.
 //
 // Numbers, booleans, || && ! == != < <= > >= + - * /, parentheses, and the names params.X, params.X[i],
-// graph.PARAMETER, scene.FACT and inputs.PORT.neutral. An expression is compiled once to a flat program for a stack
-// machine and can then be evaluated any number of times; nothing recurses over its length.
+// graph.PARAMETER, scene.FACT and inputs.PORT.neutral. An expression is compiled once to a flat program for a
+// stack machine and can then be evaluated any number of times; nothing recurses over its length.
 #pragma once
 
 #include <cstdint>
@@ -31,8 +32,22 @@ class Expression {
   public:
     struct Instruction {
         enum class Code : std::uint8_t {
-            Constant, Name, Or, And, Not, Equal, NotEqual, Less, LessEqual, Greater, GreaterEqual, Add, Subtract,
-            Multiply, Divide, Negate
+            Constant,
+            Name,
+            Or,
+            And,
+            Not,
+            Equal,
+            NotEqual,
+            Less,
+            LessEqual,
+            Greater,
+            GreaterEqual,
+            Add,
+            Subtract,
+            Multiply,
+            Divide,
+            Negate
         };
         Code code;
         std::uint32_t name = 0;  ///< index into names()
@@ -43,8 +58,10 @@ class Expression {
     /// `$NAME` in a graph stands for graph.NAME.
     static Expression graphParameter(std::string name, SourceLocation where);
 
-    /// Compiles `text`, which starts at `where` in its file; adds syntax faults (column of the fault) to `diagnostics`.
-    static std::optional<Expression> compile(const std::string& text, const SourceLocation& where, Diagnostics& diagnostics);
+    /// Compiles `text`, which starts at `where` in its file; adds syntax faults (column of the fault) to
+    /// `diagnostics`.
+    static std::optional<Expression> compile(const std::string& text, const SourceLocation& where,
+                                             Diagnostics& diagnostics);
 
     const std::vector<ExpressionName>& names() const { return names_; }
     const std::string& text() const { return text_; }

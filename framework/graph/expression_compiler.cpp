@@ -1,5 +1,5 @@
-// Text -> program for the stack machine, by Dijkstra's shunting-yard algorithm (1961): operators wait on a stack until
-// one that binds less tightly arrives, so nothing recurses over nested parentheses.
+// Text -> program for the stack machine, by Dijkstra's shunting-yard algorithm (1961): operators wait on a
+// stack until one that binds less tightly arrives, so nothing recurses over nested parentheses.
 #include <fmt/format.h>
 
 #include "graph/expression_tokens.h"
@@ -54,7 +54,8 @@ class Compiler {
             } else if (tokens_.take('(')) {
                 waiting_.push_back({Operator{"(", 0, {}}, offset});
                 if (++openParentheses_ > deepestParentheses) {
-                    tokens_.fault(offset, fmt::format("parentheses are nested deeper than {} levels", deepestParentheses));
+                    tokens_.fault(offset, fmt::format("parentheses are nested deeper than {} levels",
+                                                      deepestParentheses));
                     return false;
                 }
             } else {
@@ -65,7 +66,8 @@ class Compiler {
 
     bool numberOrName() {
         if (tokens_.atEnd()) {
-            tokens_.fault(tokens_.offset(), "expected a number, a name or \"(\", found the end of the expression");
+            tokens_.fault(tokens_.offset(),
+                          "expected a number, a name or \"(\", found the end of the expression");
             return false;
         }
         const bool isNumber = tokens_.numberStartsHere();
@@ -124,8 +126,8 @@ class Compiler {
 std::optional<Expression> Expression::compile(const std::string& text, const SourceLocation& where,
                                               Diagnostics& diagnostics) {
     if (text.size() > longestExpression) {
-        diagnostics.error(where, fmt::format("an expression has at most {} characters, found {}", longestExpression,
-                                             text.size()));
+        diagnostics.error(where, fmt::format("an expression has at most {} characters, found {}",
+                                             longestExpression, text.size()));
         return std::nullopt;
     }
     Compiler compiler(text, where, diagnostics);

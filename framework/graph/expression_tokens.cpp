@@ -27,10 +27,15 @@ constexpr std::array<Operator, 12> infixOperators{{{"||", 1, Code::Or},
                                                    {"*", 6, Code::Multiply},
                                                    {"/", 6, Code::Divide}}};
 
-constexpr std::array<std::string_view, 6> wordsThatStart{"params", "graph", "scene", "inputs", "true", "false"};
+constexpr std::array<std::string_view, 6> wordsThatStart{"params", "graph", "scene",
+                                                         "inputs", "true",  "false"};
 
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
-bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+bool isDigit(char c) {
+    return c >= '0' && c <= '9';
+}
+bool isLetter(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+}
 
 std::optional<Space> spaceNamed(std::string_view word) {
     if (word == "params") return Space::Parameter;
@@ -43,7 +48,8 @@ std::optional<Space> spaceNamed(std::string_view word) {
 }  // namespace
 
 void ExpressionTokens::skipSpaces() {
-    while (!atEnd() && (text_[at_] == ' ' || text_[at_] == '\t' || text_[at_] == '\n' || text_[at_] == '\r')) ++at_;
+    while (!atEnd() && (text_[at_] == ' ' || text_[at_] == '\t' || text_[at_] == '\n' || text_[at_] == '\r'))
+        ++at_;
 }
 
 bool ExpressionTokens::take(char character) {
@@ -110,8 +116,10 @@ std::optional<ExpressionName> ExpressionTokens::takeName() {
     const std::optional<Space> space = spaceNamed(word);
     if (!space) {
         if (word.empty()) at_ = start;
-        fault(start, fmt::format("expected a number or one of params.X, graph.X, scene.X and inputs.X.neutral, found {}{}",
-                                 word.empty() ? found() : inQuotes(word), suggestion(word, wordsThatStart)));
+        fault(start,
+              fmt::format(
+                  "expected a number or one of params.X, graph.X, scene.X and inputs.X.neutral, found {}{}",
+                  word.empty() ? found() : inQuotes(word), suggestion(word, wordsThatStart)));
         return std::nullopt;
     }
     const bool pointed = dollar || take('.');

@@ -36,14 +36,18 @@ struct Alias {
 constexpr std::array<Alias, 3> aliases{
     {{"r8unorm", Format::r8}, {"rg8unorm", Format::rg8}, {"rgba8unorm", Format::rgba8}}};
 
-constexpr std::array<std::string_view, 12> elements{"float", "vec2", "vec3", "vec4", "int", "ivec2",
+constexpr std::array<std::string_view, 12> elements{"float", "vec2",  "vec3", "vec4",  "int",   "ivec2",
                                                     "ivec3", "ivec4", "uint", "uvec2", "uvec3", "uvec4"};
 
 }  // namespace
 
-std::span<const FormatInfo> allFormats() { return table; }
+std::span<const FormatInfo> allFormats() {
+    return table;
+}
 
-const FormatInfo& info(Format format) { return table[static_cast<std::size_t>(format)]; }
+const FormatInfo& info(Format format) {
+    return table[static_cast<std::size_t>(format)];
+}
 
 std::optional<Format> formatNamed(std::string_view name) {
     for (const FormatInfo& row : table) {
@@ -55,7 +59,9 @@ std::optional<Format> formatNamed(std::string_view name) {
     return std::nullopt;
 }
 
-std::span<const std::string_view> bufferElements() { return elements; }
+std::span<const std::string_view> bufferElements() {
+    return elements;
+}
 
 std::optional<std::uint32_t> bufferElementBytes(std::string_view element) {
     for (const std::string_view known : elements) {

@@ -10,12 +10,24 @@
 namespace nephrite::graph {
 
 enum class Format : std::uint8_t {
-    r8, rg8, rgba8,                          // unsigned normalised, as r8unorm, rg8unorm, rgba8unorm
-    r8snorm, rg8snorm, rgba8snorm,
-    r16unorm, rg16unorm, rgba16unorm,
-    r16snorm, rg16snorm, rgba16snorm,
-    r16f, rg16f, rgba16f,
-    r32f, rg32f, rgba32f,
+    r8,
+    rg8,
+    rgba8,  // unsigned normalised, as r8unorm, rg8unorm, rgba8unorm
+    r8snorm,
+    rg8snorm,
+    rgba8snorm,
+    r16unorm,
+    rg16unorm,
+    rgba16unorm,
+    r16snorm,
+    rg16snorm,
+    rgba16snorm,
+    r16f,
+    rg16f,
+    rgba16f,
+    r32f,
+    rg32f,
+    rgba32f,
     r32u,
     r11g11b10f,
     d32f,
@@ -23,11 +35,11 @@ enum class Format : std::uint8_t {
 
 struct FormatInfo {
     Format format;
-    std::string_view name;        ///< as in a manifest
+    std::string_view name;           ///< as in a manifest
     std::string_view glslQualifier;  ///< the storage image's format qualifier; empty for d32f
     std::uint32_t channels;
     std::uint32_t bytesPerPixel;
-    bool isUnsignedInteger;       ///< r32u: read and written as uvec4
+    bool isUnsignedInteger;  ///< r32u: read and written as uvec4
     bool isDepth;
 };
 

@@ -11,8 +11,9 @@ std::optional<ParameterValue> readGraphParameterValue(const json::Value& value, 
     if (value.isBool()) return ParameterValue{{value.raw().asBool() ? 1.0 : 0.0}};
     if (value.isNumber()) return ParameterValue{{value.raw().asDouble()}};
     if (!value.isArray() || value.size() == 0) {
-        diagnostics.error(value.where(), fmt::format("expected a boolean, a number or an array of numbers, found {}",
-                                                     value.describe()));
+        diagnostics.error(
+            value.where(),
+            fmt::format("expected a boolean, a number or an array of numbers, found {}", value.describe()));
         return std::nullopt;
     }
     auto numbers = value.numbers(diagnostics, "an array of numbers");
@@ -20,13 +21,14 @@ std::optional<ParameterValue> readGraphParameterValue(const json::Value& value, 
     return ParameterValue{std::move(*numbers)};
 }
 
-void checkGraphParameterRange(const GraphParameter& parameter, const SourceLocation& where, Diagnostics& diagnostics) {
+void checkGraphParameterRange(const GraphParameter& parameter, const SourceLocation& where,
+                              Diagnostics& diagnostics) {
     if (!parameter.range) return;
     const auto [least, most] = *parameter.range;
     for (const double component : parameter.value.components) {
         if (component >= least && component <= most) continue;
-        diagnostics.error(where, fmt::format("{} is out of range, expected {} to {}, found {}", parameter.name, least,
-                                             most, component));
+        diagnostics.error(where, fmt::format("{} is out of range, expected {} to {}, found {}",
+                                             parameter.name, least, most, component));
         return;
     }
 }
@@ -37,7 +39,8 @@ std::optional<GraphParameter> readGraphParameter(const std::string& name, const 
     parameter.name = name;
     parameter.where = value.whereKey();
     json::ObjectReader object(value, "a graph parameter", keys::graphParameter(), diagnostics);
-    if (const auto doc = object.optional("doc")) parameter.doc = doc->string(diagnostics, "a string").value_or("");
+    if (const auto doc = object.optional("doc"))
+        parameter.doc = doc->string(diagnostics, "a string").value_or("");
     if (const auto range = object.optional("range")) parameter.range = readRange(*range, diagnostics);
     const auto given = object.optional("value");
     object.finish();

@@ -16,6 +16,7 @@ std::optional<GraphParameter> readGraphParameter(const std::string& name, const 
 std::optional<ParameterValue> readGraphParameterValue(const json::Value& value, Diagnostics& diagnostics);
 
 /// Adds a fault at `where` if a component is outside the parameter's range.
-void checkGraphParameterRange(const GraphParameter& parameter, const SourceLocation& where, Diagnostics& diagnostics);
+void checkGraphParameterRange(const GraphParameter& parameter, const SourceLocation& where,
+                              Diagnostics& diagnostics);
 
 }  // namespace nephrite::graph

@@ -22,14 +22,17 @@ constexpr std::array graphKeys{
     Key{"doc", text, "what the graph computes"},
     Key{"parameters", R"({"type": "object", "additionalProperties": {"$ref": "#/definitions/parameter"}})",
         "values nodes may use as \"$NAME\" and expressions as graph.NAME"},
-    Key{"nodes", R"({"type": "object", "minProperties": 1, "additionalProperties": {"$ref": "#/definitions/node"}})",
+    Key{"nodes",
+        R"({"type": "object", "minProperties": 1, "additionalProperties": {"$ref": "#/definitions/node"}})",
         "the passes, by the names the rest of the graph calls them", true},
-    Key{"outputs", R"({"type": "object", "minProperties": 1, "additionalProperties": {"$ref": "#/definitions/port"}})",
+    Key{"outputs",
+        R"({"type": "object", "minProperties": 1, "additionalProperties": {"$ref": "#/definitions/port"}})",
         "what the graph computes: a name, and the port it comes from; \"color\" is the picture", true},
 };
 
 constexpr std::array graphParameterKeys{
-    Key{"value", R"({"anyOf": [{"type": ["boolean", "number"]}, {"type": "array", "minItems": 1, "items": {"type": "number"}}]})",
+    Key{"value",
+        R"({"anyOf": [{"type": ["boolean", "number"]}, {"type": "array", "minItems": 1, "items": {"type": "number"}}]})",
         "a boolean, a number or an array of numbers", true},
     Key{"range", range, "least and greatest value of each number"},
     Key{"doc", text, "what it means, with its unit"},
@@ -37,11 +40,14 @@ constexpr std::array graphParameterKeys{
 
 constexpr std::array nodeKeys{
     Key{"pass", text, "the pass type: the name of a manifest", true},
-    Key{"view", R"({"enum": ["camera", "light"]})", "from where a raster pass draws; \"light\" needs forEach"},
-    Key{"forEach", R"({"enum": ["lights"]})", "runs once for each view of each light; outputs get layers for each"},
+    Key{"view", R"({"enum": ["camera", "light"]})",
+        "from where a raster pass draws; \"light\" needs forEach"},
+    Key{"forEach", R"({"enum": ["lights"]})",
+        "runs once for each view of each light; outputs get layers for each"},
     Key{"in", R"({"type": "object", "additionalProperties": {"$ref": "#/definitions/port"}})",
         "input ports, each with the \"node.port\" it reads"},
-    Key{"set", R"({"type": "object"})", "parameters of the pass type: a value, or \"$NAME\" of a graph parameter"},
+    Key{"set", R"({"type": "object"})",
+        "parameters of the pass type: a value, or \"$NAME\" of a graph parameter"},
     Key{"size", size, "of every output of the node"},
     Key{"format", R"({"type": "object", "additionalProperties": {"$ref": "#/definitions/format"}})",
         "output ports whose pixel format differs from the manifest's"},
@@ -52,7 +58,8 @@ constexpr std::array nodeKeys{
 constexpr std::array manifestKeys{
     Key{"kind", R"({"enum": ["pixel", "compute", "raster", "native"]})",
         "how it runs: once a pixel, as raw compute, drawing the scene, or in C++", true},
-    Key{"shader", text, "GLSL file beside the manifest, or in the shader folder; every kind but native needs it"},
+    Key{"shader", text,
+        "GLSL file beside the manifest, or in the shader folder; every kind but native needs it"},
     Key{"doc", text, "what the pass computes, with the equation it implements"},
     Key{"inputs", R"({"type": "object", "additionalProperties": {"$ref": "#/definitions/input"}})",
         "the images and buffers it reads"},
@@ -88,10 +95,12 @@ constexpr std::array outputKeys{
 constexpr std::array parameterKeys{
     Key{"type", R"({"type": "string", "pattern": "^(bool|int|uint|float|vec[234]|float\\[[1-9][0-9]*\\])$"})",
         "bool, int, uint, float, vec2, vec3, vec4 or float[N]", true},
-    Key{"default", R"({"anyOf": [{"type": ["boolean", "number"]}, {"type": "array", "minItems": 1, "items": {"type": "number"}}]})",
+    Key{"default",
+        R"({"anyOf": [{"type": ["boolean", "number"]}, {"type": "array", "minItems": 1, "items": {"type": "number"}}]})",
         "its value where a graph does not set it", true},
     Key{"range", range, "least and greatest value of each component"},
-    Key{"specialize", boolean, "true: a constant of the compiled shader, so code it switches off costs nothing"},
+    Key{"specialize", boolean,
+        "true: a constant of the compiled shader, so code it switches off costs nothing"},
     Key{"doc", text, "what it means, with its unit"},
 };
 
@@ -102,13 +111,29 @@ constexpr std::array rasterKeys{
 
 }  // namespace
 
-std::span<const Key> graph() { return graphKeys; }
-std::span<const Key> graphParameter() { return graphParameterKeys; }
-std::span<const Key> node() { return nodeKeys; }
-std::span<const Key> manifest() { return manifestKeys; }
-std::span<const Key> input() { return inputKeys; }
-std::span<const Key> output() { return outputKeys; }
-std::span<const Key> parameter() { return parameterKeys; }
-std::span<const Key> raster() { return rasterKeys; }
+std::span<const Key> graph() {
+    return graphKeys;
+}
+std::span<const Key> graphParameter() {
+    return graphParameterKeys;
+}
+std::span<const Key> node() {
+    return nodeKeys;
+}
+std::span<const Key> manifest() {
+    return manifestKeys;
+}
+std::span<const Key> input() {
+    return inputKeys;
+}
+std::span<const Key> output() {
+    return outputKeys;
+}
+std::span<const Key> parameter() {
+    return parameterKeys;
+}
+std::span<const Key> raster() {
+    return rasterKeys;
+}
 
 }  // namespace nephrite::graph::keys

@@ -11,7 +11,8 @@
 namespace nephrite::graph {
 namespace {
 
-/// Searching the nearest of n names for each of n faults would take n * n steps: the first faults get suggestions.
+/// Searching the nearest of n names for each of n faults would take n * n steps: the first faults get
+/// suggestions.
 constexpr std::size_t faultsWithSuggestion = 100;
 
 class Linker {
@@ -87,9 +88,10 @@ class Linker {
         if (type == nullptr) return {node, noIndex};
         const OutputPort* port = findNamed(type->outputs, reference.port);
         if (port == nullptr) {
-            diagnostics_.error(reference.where, fmt::format("{} (pass {}) has no output {}{}", inQuotes(reference.node),
-                                                            inQuotes(type->name), inQuotes(reference.port),
-                                                            suggestionAmong(reference.port, type->outputs)));
+            diagnostics_.error(
+                reference.where,
+                fmt::format("{} (pass {}) has no output {}{}", inQuotes(reference.node), inQuotes(type->name),
+                            inQuotes(reference.port), suggestionAmong(reference.port, type->outputs)));
             return {node, noIndex};
         }
         return {node, static_cast<Index>(port - type->outputs.data())};
@@ -108,9 +110,9 @@ class Linker {
             if (linked.type == nullptr) continue;
             const InputPort* port = findNamed(linked.type->inputs, name);
             if (port == nullptr) {
-                diagnostics_.error(reference.whereKey, fmt::format("the pass {} has no input {}{}",
-                                                                   inQuotes(linked.type->name), inQuotes(name),
-                                                                   suggestionAmong(name, linked.type->inputs)));
+                diagnostics_.error(reference.whereKey,
+                                   fmt::format("the pass {} has no input {}{}", inQuotes(linked.type->name),
+                                               inQuotes(name), suggestionAmong(name, linked.type->inputs)));
                 continue;
             }
             const auto index = static_cast<std::size_t>(port - linked.type->inputs.data());
@@ -131,11 +133,13 @@ class Linker {
         const std::string expected = sort(input.bufferElement, expectsInteger);
         const std::string found = sort(output.bufferElement, info(output.format).isUnsignedInteger);
         if (expected == found) return;
-        diagnostics_.error(reference.where, fmt::format("{} expects {}, but {}.{} is {}", inQuotes(input.name), expected,
-                                                        reference.node, reference.port, found));
+        diagnostics_.error(reference.where,
+                           fmt::format("{} expects {}, but {}.{} is {}", inQuotes(input.name), expected,
+                                       reference.node, reference.port, found));
     }
 
-    void checkRequiredInputs(const NodeDescription& node, const PassType& type, const std::vector<bool>& connected) {
+    void checkRequiredInputs(const NodeDescription& node, const PassType& type,
+                             const std::vector<bool>& connected) {
         for (std::size_t i = 0; i < type.inputs.size(); ++i) {
             if (connected[i] || type.inputs[i].optional) continue;
             diagnostics_.error(node.where, fmt::format("the input {} of {} (pass {}) is not connected",
@@ -155,7 +159,8 @@ class Linker {
         graph_->nodes[node].sizeLikePort = source.sourcePort;
         if (source.sourcePort == noIndex) return;
         if (!graph_->nodes[source.sourceNode].type->outputs[source.sourcePort].bufferElement.empty()) {
-            diagnostics_.error(size->where, fmt::format("{} is a buffer and has no size in pixels", inQuotes(size->like)));
+            diagnostics_.error(size->where,
+                               fmt::format("{} is a buffer and has no size in pixels", inQuotes(size->like)));
         }
     }
 
@@ -168,22 +173,25 @@ class Linker {
         for (const FormatOverride& change : description.formats) {
             const OutputPort* port = findNamed(linked.type->outputs, change.port);
             if (port == nullptr) {
-                diagnostics_.error(change.where, fmt::format("the pass {} has no output {}{}", inQuotes(linked.type->name),
-                                                             inQuotes(change.port),
-                                                             suggestionAmong(change.port, linked.type->outputs)));
+                diagnostics_.error(
+                    change.where,
+                    fmt::format("the pass {} has no output {}{}", inQuotes(linked.type->name),
+                                inQuotes(change.port), suggestionAmong(change.port, linked.type->outputs)));
             } else if (formatFits(*port, change)) {
-                graph_->formats[linked.formats.first + static_cast<std::size_t>(port - linked.type->outputs.data())] =
-                    change.format;
+                graph_->formats[linked.formats.first +
+                                static_cast<std::size_t>(port - linked.type->outputs.data())] = change.format;
             }
         }
     }
 
-    /// The shader was written for floats, for unsigned integers or for depth: a format may change within these only.
+    /// The shader was written for floats, for unsigned integers or for depth: a format may change within
+    /// these only.
     bool formatFits(const OutputPort& port, const FormatOverride& change) {
         const FormatInfo& from = info(port.format);
         const FormatInfo& to = info(change.format);
         if (!port.bufferElement.empty()) {
-            diagnostics_.error(change.where, fmt::format("{} is a buffer and has no pixel format", inQuotes(port.name)));
+            diagnostics_.error(change.where,
+                               fmt::format("{} is a buffer and has no pixel format", inQuotes(port.name)));
             return false;
         }
         if (from.isDepth == to.isDepth && from.isUnsignedInteger == to.isUnsignedInteger) return true;

@@ -30,7 +30,8 @@ void ParameterLinker::linkParameters(Index node) {
     for (const ParameterDeclaration& declaration : linked.type->parameters) {
         graph_.parameters.push_back({noIndex, declaration.defaultValue, declaration.where});
     }
-    for (const ParameterSetting& setting : graph_.description.nodes[node].settings) applySetting(setting, node);
+    for (const ParameterSetting& setting : graph_.description.nodes[node].settings)
+        applySetting(setting, node);
 }
 
 void ParameterLinker::applySetting(const ParameterSetting& setting, Index node) {
@@ -39,9 +40,10 @@ void ParameterLinker::applySetting(const ParameterSetting& setting, Index node) 
     const ParameterDeclaration* declaration = findNamed(declarations, setting.parameter);
     const auto* value = std::get_if<json::Value>(&setting.value);
     if (declaration == nullptr) {
-        diagnostics_.error(value != nullptr ? value->whereKey() : setting.where,
-                           fmt::format("the pass {} has no parameter {}{}", inQuotes(linkedNode.type->name),
-                                       inQuotes(setting.parameter), suggestionAmong(setting.parameter, declarations)));
+        diagnostics_.error(
+            value != nullptr ? value->whereKey() : setting.where,
+            fmt::format("the pass {} has no parameter {}{}", inQuotes(linkedNode.type->name),
+                        inQuotes(setting.parameter), suggestionAmong(setting.parameter, declarations)));
         return;
     }
     LinkedParameter& linked = graph_.parameters[linkedNode.parameters.first +
@@ -60,8 +62,9 @@ void ParameterLinker::useGraphParameter(const std::string& name, const Parameter
     if (parameter == nullptr) return;
     const bool wantsBool = declaration.type == ParameterType::Bool;
     if (parameter->isBool != wantsBool || parameter->value.components.size() != declaration.count) {
-        diagnostics_.error(linked.where, fmt::format("{} has type {}, but the graph parameter {} is {}", declaration.name,
-                                                     typeName(declaration), inQuotes(name), describe(*parameter)));
+        diagnostics_.error(linked.where,
+                           fmt::format("{} has type {}, but the graph parameter {} is {}", declaration.name,
+                                       typeName(declaration), inQuotes(name), describe(*parameter)));
     } else if (const auto fault = componentFault(parameter->value, declaration)) {
         diagnostics_.error(linked.where, fmt::format("{} in the graph parameter {}", *fault, inQuotes(name)));
     }
@@ -69,7 +72,8 @@ void ParameterLinker::useGraphParameter(const std::string& name, const Parameter
     linked.value = parameter->value;
 }
 
-const GraphParameter* ParameterLinker::findGraphParameter(std::string_view name, const SourceLocation& where) {
+const GraphParameter* ParameterLinker::findGraphParameter(std::string_view name,
+                                                          const SourceLocation& where) {
     const auto& parameters = graph_.description.parameters;
     const auto found = graphParameters_.find(name);
     if (found != graphParameters_.end()) return &parameters[found->second];
@@ -84,14 +88,17 @@ void ParameterLinker::checkExpressions(Index node) {
     const auto checkGraphParameter = [this](const ExpressionName& name) {
         const GraphParameter* parameter = findGraphParameter(name.name, name.where);
         if (parameter == nullptr || parameter->value.components.size() == 1) return;
-        diagnostics_.error(name.where, fmt::format("an expression needs a number, but the graph parameter {} is {}",
-                                                   inQuotes(name.name), describe(*parameter)));
+        diagnostics_.error(name.where,
+                           fmt::format("an expression needs a number, but the graph parameter {} is {}",
+                                       inQuotes(name.name), describe(*parameter)));
     };
     if (description.when) {
-        checkNames(*description.when, {type.parameters, type.inputs, true, checkGraphParameter}, diagnostics_);
+        checkNames(*description.when, {type.parameters, type.inputs, true, checkGraphParameter},
+                   diagnostics_);
     }
     if (description.size) {
-        checkNames(*description.size, {type.parameters, type.inputs, false, checkGraphParameter}, diagnostics_);
+        checkNames(*description.size, {type.parameters, type.inputs, false, checkGraphParameter},
+                   diagnostics_);
     }
 }
 

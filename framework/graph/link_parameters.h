@@ -20,7 +20,8 @@ class ParameterLinker {
 
   private:
     void applySetting(const ParameterSetting& setting, Index node);
-    void useGraphParameter(const std::string& name, const ParameterDeclaration& declaration, LinkedParameter& linked);
+    void useGraphParameter(const std::string& name, const ParameterDeclaration& declaration,
+                           LinkedParameter& linked);
     const GraphParameter* findGraphParameter(std::string_view name, const SourceLocation& where);
 
     LinkedGraph& graph_;

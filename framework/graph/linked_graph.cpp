@@ -22,9 +22,9 @@ LinkedOutput LinkedGraph::find(const PortReference& reference) const {
     const auto& ports = nodes[index].type->outputs;
     const OutputPort* port = findNamed(ports, reference.port);
     if (port == nullptr) {
-        throw InputError(reference.where, fmt::format("{} has no output {}{}", inQuotes(reference.node),
-                                                      inQuotes(reference.port),
-                                                      suggestionAmong(reference.port, ports)));
+        throw InputError(reference.where,
+                         fmt::format("{} has no output {}{}", inQuotes(reference.node),
+                                     inQuotes(reference.port), suggestionAmong(reference.port, ports)));
     }
     return {fmt::format("{}.{}", reference.node, reference.port), index,
             static_cast<Index>(port - ports.data()), reference.where};

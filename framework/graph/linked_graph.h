@@ -1,5 +1,5 @@
-// A description whose names have been looked up: flat arrays of indices, everything checked that does not depend on
-// parameter values, the scene or the output size. compile() works on this and on numbers only.
+// A description whose names have been looked up: flat arrays of indices, everything checked that does not
+// depend on parameter values, the scene or the output size. compile() works on this and on numbers only.
 #pragma once
 
 #include <memory>
@@ -60,7 +60,8 @@ struct LinkedGraph {
     std::vector<LinkedParameter> parameters;
     std::vector<Format> formats;
     std::vector<LinkedOutput> outputs;
-    std::vector<Index> declarationOrder;  ///< every node after those its inputs and its {"like": ...} name, ties in the file's order
+    std::vector<Index> declarationOrder;  ///< every node after those its inputs and its {"like": ...} name,
+                                          ///< ties in the file's order
 
     const std::string& nodeName(Index node) const { return description.nodes[node].name; }
     std::string portName(Index node, Index port) const;  ///< "gbuffer.position"
@@ -68,10 +69,10 @@ struct LinkedGraph {
     LinkedOutput find(const PortReference& reference) const;
 };
 
-/// Looks up every name. Throws InputError naming each fault: unknown pass, port, parameter or graph parameter (with a
-/// suggestion), a required input left unconnected, a value of the wrong type or out of range, image against buffer or
-/// float against unsigned integer, a cycle (its whole path named), names in expressions that do not exist.
-/// `passTypes` must outlive the result.
+/// Looks up every name. Throws InputError naming each fault: unknown pass, port, parameter or graph parameter
+/// (with a suggestion), a required input left unconnected, a value of the wrong type or out of range, image
+/// against buffer or float against unsigned integer, a cycle (its whole path named), names in expressions
+/// that do not exist. `passTypes` must outlive the result.
 std::shared_ptr<const LinkedGraph> link(GraphDescription description, const PassLibrary& passTypes);
 
 /// `--set NODE.PARAM=JSON` or `--set PARAM=JSON`, applied to a description before linking. Throws InputError.

@@ -29,9 +29,9 @@ std::uint32_t arrayLength(std::string_view text) {
 }
 
 std::optional<TypeAndCount> typeNamed(std::string_view text) {
-    static constexpr std::array<ParameterType, 7> simple{ParameterType::Bool,  ParameterType::Int,  ParameterType::Uint,
-                                                         ParameterType::Float, ParameterType::Vec2, ParameterType::Vec3,
-                                                         ParameterType::Vec4};
+    static constexpr std::array<ParameterType, 7> simple{
+        ParameterType::Bool, ParameterType::Int,  ParameterType::Uint, ParameterType::Float,
+        ParameterType::Vec2, ParameterType::Vec3, ParameterType::Vec4};
     for (const ParameterType type : simple) {
         if (name(type) != text) continue;
         const char last = text.back();
@@ -49,11 +49,13 @@ bool readType(json::ObjectReader& object, ParameterDeclaration& parameter) {
     if (!text) return false;
     const auto found = typeNamed(*text);
     if (!found) {
-        static constexpr std::array<std::string_view, 7> known{"bool", "int", "uint", "float", "vec2", "vec3", "vec4"};
+        static constexpr std::array<std::string_view, 7> known{"bool", "int",  "uint", "float",
+                                                               "vec2", "vec3", "vec4"};
         object.diagnostics().error(
-            value->where(), fmt::format("unknown parameter type {}, expected bool, int, uint, float, vec2, vec3, vec4 or "
-                                        "float[N] with N from 1 to {}{}",
-                                        inQuotes(*text), longestArray, suggestion(*text, known)));
+            value->where(),
+            fmt::format("unknown parameter type {}, expected bool, int, uint, float, vec2, vec3, vec4 or "
+                        "float[N] with N from 1 to {}{}",
+                        inQuotes(*text), longestArray, suggestion(*text, known)));
         return false;
     }
     parameter.type = found->type;
@@ -70,17 +72,20 @@ void readSpecialize(json::ObjectReader& object, ParameterDeclaration& parameter)
     }
 }
 
-ParameterDeclaration readParameter(const std::string& name, const json::Value& value, Diagnostics& diagnostics) {
+ParameterDeclaration readParameter(const std::string& name, const json::Value& value,
+                                   Diagnostics& diagnostics) {
     ParameterDeclaration parameter;
     parameter.name = name;
     parameter.where = value.whereKey();
     json::ObjectReader object(value, "a parameter", keys::parameter(), diagnostics);
     const bool typed = readType(object, parameter);
     readSpecialize(object, parameter);
-    if (const auto doc = object.optional("doc")) parameter.doc = doc->string(diagnostics, "a string").value_or("");
+    if (const auto doc = object.optional("doc"))
+        parameter.doc = doc->string(diagnostics, "a string").value_or("");
     if (const auto range = object.optional("range")) {
         parameter.range = readRange(*range, diagnostics);
-        if (parameter.type == ParameterType::Bool) diagnostics.error(range->whereKey(), "a bool has no range");
+        if (parameter.type == ParameterType::Bool)
+            diagnostics.error(range->whereKey(), "a bool has no range");
     }
     const auto defaultValue = object.optional("default");
     if (typed && defaultValue) {
@@ -96,8 +101,8 @@ ParameterDeclaration readParameter(const std::string& name, const json::Value& v
 std::vector<ParameterDeclaration> readParameters(const json::Value& value, Diagnostics& diagnostics) {
     std::vector<ParameterDeclaration> parameters;
     if (!value.isObject()) {
-        diagnostics.error(value.where(),
-                          fmt::format("expected an object of parameters by name, found {}", value.describe()));
+        diagnostics.error(value.where(), fmt::format("expected an object of parameters by name, found {}",
+                                                     value.describe()));
     }
     for (const auto& [name, member] : value.members()) {
         checkGlslName(name, member.whereKey(), "a parameter", diagnostics);

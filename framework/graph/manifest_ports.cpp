@@ -41,8 +41,8 @@ void refuseImageKeys(const json::ObjectReader& object, std::span<const std::stri
     for (const std::string_view key : keys) {
         const auto value = object.value().find(key);
         if (!value) continue;
-        diagnostics.error(value->whereKey(), fmt::format("{} describes an image, but this port is a buffer",
-                                                         inQuotes(key)));
+        diagnostics.error(value->whereKey(),
+                          fmt::format("{} describes an image, but this port is a buffer", inQuotes(key)));
     }
 }
 
@@ -56,7 +56,8 @@ InputPort readInput(const std::string& name, const json::Value& value, Diagnosti
     if (const auto optional = object.optional("optional")) {
         port.optional = optional->boolean(diagnostics, "true or false").value_or(false);
     }
-    if (const auto neededWhen = object.optional("neededWhen")) port.neededWhen = readExpression(*neededWhen, diagnostics);
+    if (const auto neededWhen = object.optional("neededWhen"))
+        port.neededWhen = readExpression(*neededWhen, diagnostics);
     if (const auto format = object.optional("format")) port.format = readFormat(*format, diagnostics);
     port.bufferElement = readBufferElement(object);
     static constexpr std::array<std::string_view, 1> imageKeys{"format"};
@@ -67,10 +68,12 @@ InputPort readInput(const std::string& name, const json::Value& value, Diagnosti
 
 void readImage(json::ObjectReader& object, OutputPort& port) {
     Diagnostics& diagnostics = object.diagnostics();
-    if (const auto format = object.optional("format")) port.format = readFormat(*format, diagnostics).value_or(port.format);
+    if (const auto format = object.optional("format"))
+        port.format = readFormat(*format, diagnostics).value_or(port.format);
     if (const auto size = object.optional("size")) port.size = readSize(*size, diagnostics);
     if (const auto value = object.optional("mips")) {
-        if (auto mips = readCount(*value, "the number of mips", 0, mostMips, diagnostics)) port.mips = std::move(*mips);
+        if (auto mips = readCount(*value, "the number of mips", 0, mostMips, diagnostics))
+            port.mips = std::move(*mips);
     }
     if (const auto value = object.optional("layers")) {
         auto layers = readCount(*value, "the number of layers", 1, mostLayers, diagnostics);
@@ -82,7 +85,8 @@ void readBufferCount(json::ObjectReader& object, OutputPort& port) {
     Diagnostics& diagnostics = object.diagnostics();
     const auto value = object.optional("count");
     const bool isBuffer = object.value().find("buffer").has_value();
-    if (isBuffer && !value) diagnostics.error(port.where, fmt::format("the buffer {} needs \"count\"", inQuotes(port.name)));
+    if (isBuffer && !value)
+        diagnostics.error(port.where, fmt::format("the buffer {} needs \"count\"", inQuotes(port.name)));
     if (!value) return;
     if (!isBuffer) {
         diagnostics.error(value->whereKey(), "\"count\" describes a buffer, but this port is an image");
@@ -113,7 +117,8 @@ std::vector<Port> readPorts(const json::Value& value, std::string_view what, Dia
                             Port (*readOne)(const std::string&, const json::Value&, Diagnostics&)) {
     std::vector<Port> ports;
     if (!value.isObject()) {
-        diagnostics.error(value.where(), fmt::format("expected an object of {}s by name, found {}", what, value.describe()));
+        diagnostics.error(value.where(),
+                          fmt::format("expected an object of {}s by name, found {}", what, value.describe()));
     }
     for (const auto& [name, member] : value.members()) {
         checkGlslName(name, member.whereKey(), fmt::format("an {}", what), diagnostics);

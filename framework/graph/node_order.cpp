@@ -13,7 +13,8 @@ std::vector<Index> someRemainingSource(Index nodeCount, std::span<const Dependen
                                        const std::vector<bool>& done) {
     std::vector<Index> source(nodeCount, noIndex);
     for (const Dependency& dependency : dependencies) {
-        if (!done[dependency.from] && source[dependency.to] == noIndex) source[dependency.to] = dependency.from;
+        if (!done[dependency.from] && source[dependency.to] == noIndex)
+            source[dependency.to] = dependency.from;
     }
     return source;
 }
@@ -50,8 +51,8 @@ std::vector<std::vector<Index>> findCycles(Index nodeCount, const std::vector<In
 }  // namespace
 
 NodeOrder orderNodes(Index nodeCount, std::span<const Dependency> dependencies) {
-    std::vector<Index> missing(nodeCount, 0);             // sources not placed yet
-    std::vector<Index> firstReader(nodeCount + 1, 0);     // readers of a node: a slice of `readers`
+    std::vector<Index> missing(nodeCount, 0);          // sources not placed yet
+    std::vector<Index> firstReader(nodeCount + 1, 0);  // readers of a node: a slice of `readers`
     for (const Dependency& dependency : dependencies) {
         ++missing[dependency.to];
         ++firstReader[dependency.from + 1];

@@ -15,13 +15,14 @@ struct Dependency {
 };
 
 struct NodeOrder {
-    std::vector<Index> nodes;                ///< topological, the lowest index first among those that are free
-    std::vector<std::vector<Index>> cycles;  ///< disjoint; each lists its nodes so that every one needs the one before it
-                                             ///< and the first, the lowest index, needs the last
+    std::vector<Index> nodes;  ///< topological, the lowest index first among those that are free
+    std::vector<std::vector<Index>>
+        cycles;  ///< disjoint; each lists its nodes so that every one needs the one before it
+                 ///< and the first, the lowest index, needs the last
 };
 
-/// Kahn's algorithm (1962) with a heap, O((nodes + dependencies) log nodes). If there are cycles at least one is named,
-/// and `nodes` lacks them and all that comes after.
+/// Kahn's algorithm (1962) with a heap, O((nodes + dependencies) log nodes). If there are cycles at least one
+/// is named, and `nodes` lacks them and all that comes after.
 NodeOrder orderNodes(Index nodeCount, std::span<const Dependency> dependencies);
 
 }  // namespace nephrite::graph

@@ -12,6 +12,7 @@ namespace nephrite::graph {
 std::string typeName(const ParameterDeclaration& declaration);
 
 /// Why components of the right number do not suit the declaration (not integers, out of range), or nothing.
-std::optional<std::string> componentFault(const ParameterValue& value, const ParameterDeclaration& declaration);
+std::optional<std::string> componentFault(const ParameterValue& value,
+                                          const ParameterDeclaration& declaration);
 
 }  // namespace nephrite::graph

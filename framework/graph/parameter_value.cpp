@@ -12,19 +12,26 @@ namespace {
 /// What a value of that type is called in "expected ...".
 std::string expectation(const ParameterDeclaration& declaration) {
     switch (declaration.type) {
-        case ParameterType::Bool: return "true or false";
-        case ParameterType::Int: return "an integer";
-        case ParameterType::Uint: return "an integer that is not negative";
-        case ParameterType::Float: return "a number";
+        case ParameterType::Bool:
+            return "true or false";
+        case ParameterType::Int:
+            return "an integer";
+        case ParameterType::Uint:
+            return "an integer that is not negative";
+        case ParameterType::Float:
+            return "a number";
         case ParameterType::Vec2:
         case ParameterType::Vec3:
         case ParameterType::Vec4:
-        case ParameterType::FloatArray: return fmt::format("an array of {} numbers", declaration.count);
+        case ParameterType::FloatArray:
+            return fmt::format("an array of {} numbers", declaration.count);
     }
     return {};
 }
 
-bool isIntegral(ParameterType type) { return type == ParameterType::Int || type == ParameterType::Uint; }
+bool isIntegral(ParameterType type) {
+    return type == ParameterType::Int || type == ParameterType::Uint;
+}
 
 /// The least and greatest number a 32-bit component of that type holds.
 std::array<double, 2> limits(ParameterType type) {
@@ -47,12 +54,14 @@ std::string typeName(const ParameterDeclaration& declaration) {
     return std::string(name(declaration.type));
 }
 
-std::optional<std::string> componentFault(const ParameterValue& value, const ParameterDeclaration& declaration) {
+std::optional<std::string> componentFault(const ParameterValue& value,
+                                          const ParameterDeclaration& declaration) {
     if (declaration.type == ParameterType::Bool) return std::nullopt;
     const auto [least, most] = limits(declaration.type);
     for (const double component : value.components) {
         if (isIntegral(declaration.type) && component != std::floor(component)) {
-            return fmt::format("{} ({}) is an integer, found {}", declaration.name, typeName(declaration), component);
+            return fmt::format("{} ({}) is an integer, found {}", declaration.name, typeName(declaration),
+                               component);
         }
         const bool inRange = !declaration.range ||
                              (component >= (*declaration.range)[0] && component <= (*declaration.range)[1]);
@@ -61,22 +70,24 @@ std::optional<std::string> componentFault(const ParameterValue& value, const Par
                                (*declaration.range)[0], (*declaration.range)[1], component);
         }
         if (!(component >= least && component <= most)) {
-            return fmt::format("{} does not fit its type {}, found {}", declaration.name, typeName(declaration),
-                               component);
+            return fmt::format("{} does not fit its type {}, found {}", declaration.name,
+                               typeName(declaration), component);
         }
     }
     return std::nullopt;
 }
 
-std::optional<ParameterValue> readParameterValue(const json::Value& value, const ParameterDeclaration& declaration,
+std::optional<ParameterValue> readParameterValue(const json::Value& value,
+                                                 const ParameterDeclaration& declaration,
                                                  Diagnostics& diagnostics) {
     const bool isArray = declaration.count > 1 || declaration.type == ParameterType::FloatArray;
     const bool fits = declaration.type == ParameterType::Bool ? value.isBool()
-                      : isArray                               ? value.isArray() && value.size() == declaration.count
-                                                              : value.isNumber();
+                      : isArray ? value.isArray() && value.size() == declaration.count
+                                : value.isNumber();
     if (!fits) {
-        diagnostics.error(value.where(), fmt::format("{} has type {}: expected {}, found {}", declaration.name,
-                                                     typeName(declaration), expectation(declaration), value.describe()));
+        diagnostics.error(value.where(),
+                          fmt::format("{} has type {}: expected {}, found {}", declaration.name,
+                                      typeName(declaration), expectation(declaration), value.describe()));
         return std::nullopt;
     }
     ParameterValue result;

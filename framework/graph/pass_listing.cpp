@@ -10,21 +10,26 @@ namespace nephrite::graph {
 namespace {
 
 std::string joined(std::span<const double> numbers) {
-    return numbers.size() == 1 ? fmt::format("{}", numbers[0]) : fmt::format("[{}]", fmt::join(numbers, ", "));
+    return numbers.size() == 1 ? fmt::format("{}", numbers[0])
+                               : fmt::format("[{}]", fmt::join(numbers, ", "));
 }
 
 /// "true", "12", "[0.3, 0.3]".
 std::string valueText(const ParameterDeclaration& parameter) {
-    if (parameter.type == ParameterType::Bool) return parameter.defaultValue.components[0] != 0 ? "true" : "false";
+    if (parameter.type == ParameterType::Bool)
+        return parameter.defaultValue.components[0] != 0 ? "true" : "false";
     const std::string text = joined(parameter.defaultValue.components);
     return parameter.type == ParameterType::FloatArray && parameter.count == 1 ? "[" + text + "]" : text;
 }
 
 std::string sizeText(const SizeRule& size) {
     switch (size.kind) {
-        case SizeRule::Kind::Absolute: return fmt::format("[{}, {}]", size.width.text(), size.height.text());
-        case SizeRule::Kind::ScaleOfView: return fmt::format("{} of the view", size.width.text());
-        case SizeRule::Kind::Like: return fmt::format("like {}", size.like);
+        case SizeRule::Kind::Absolute:
+            return fmt::format("[{}, {}]", size.width.text(), size.height.text());
+        case SizeRule::Kind::ScaleOfView:
+            return fmt::format("{} of the view", size.width.text());
+        case SizeRule::Kind::Like:
+            return fmt::format("like {}", size.like);
     }
     return {};
 }
@@ -60,7 +65,8 @@ std::string section(std::string_view title, const Items& items, Describe describ
     if (items.empty()) return {};
     std::string text = fmt::format("  {}\n", title);
     for (const auto& item : items) {
-        text += fmt::format("    {}{}{}{}\n", item.name, describe(item), item.doc.empty() ? "" : ": ", item.doc);
+        text +=
+            fmt::format("    {}{}{}{}\n", item.name, describe(item), item.doc.empty() ? "" : ": ", item.doc);
     }
     return text;
 }
@@ -166,7 +172,8 @@ std::string jsonText(const Json::Value& json) {
 /// Up to a full stop before a capital letter, so that "Eq. 13" does not end a sentence.
 std::string_view firstSentence(std::string_view text) {
     for (std::size_t i = 0; i + 2 < text.size(); ++i) {
-        if (text[i] == '.' && text[i + 1] == ' ' && text[i + 2] >= 'A' && text[i + 2] <= 'Z') return text.substr(0, i + 1);
+        if (text[i] == '.' && text[i + 1] == ' ' && text[i + 2] >= 'A' && text[i + 2] <= 'Z')
+            return text.substr(0, i + 1);
     }
     return text;
 }
@@ -197,7 +204,9 @@ std::string describePass(const PassType& type) {
     return text;
 }
 
-std::string describePassAsJson(const PassType& type) { return jsonText(passAsJson(type)); }
+std::string describePassAsJson(const PassType& type) {
+    return jsonText(passAsJson(type));
+}
 
 std::string listPasses(const PassLibrary& library, Diagnostics& diagnostics) {
     std::string text;

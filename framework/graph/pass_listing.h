@@ -12,7 +12,8 @@ std::string describePass(const PassType& type);
 /// The same as a JSON object: name, kind, doc, shader, inputs, outputs, parameters, skipWhen.
 std::string describePassAsJson(const PassType& type);
 
-/// One line a pass type: name, kind and the first sentence of its doc. The faults of broken manifests go to `diagnostics`.
+/// One line a pass type: name, kind and the first sentence of its doc. The faults of broken manifests go to
+/// `diagnostics`.
 std::string listPasses(const PassLibrary& library, Diagnostics& diagnostics);
 /// A JSON array of describePassAsJson() for every pass type that can be read.
 std::string listPassesAsJson(const PassLibrary& library, Diagnostics& diagnostics);

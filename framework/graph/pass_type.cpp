@@ -34,7 +34,8 @@ class ManifestReader {
         readShader();
         readRaster();
         readPortsAndParameters();
-        if (const auto value = object_.optional("skipWhen")) type_.skipWhen = readExpression(*value, diagnostics_);
+        if (const auto value = object_.optional("skipWhen"))
+            type_.skipWhen = readExpression(*value, diagnostics_);
         object_.finish();
         checkPorts();
         checkExpressions();
@@ -55,11 +56,13 @@ class ManifestReader {
         const bool native = type_.kind == PassKind::Native;
         if (value && native) diagnostics_.error(value->whereKey(), "a native pass has no shader");
         if (!value && kindKnown_ && !native) {
-            diagnostics_.error(type_.where, fmt::format("a {} pass needs \"shader\"", graph::name(type_.kind)));
+            diagnostics_.error(type_.where,
+                               fmt::format("a {} pass needs \"shader\"", graph::name(type_.kind)));
         }
         if (!value) return;
         const auto file = value->string(diagnostics_, "a shader's file name");
-        if (file && file->empty()) diagnostics_.error(value->where(), "expected a shader's file name, found \"\"");
+        if (file && file->empty())
+            diagnostics_.error(value->where(), "expected a shader's file name, found \"\"");
         if (file) type_.shader = *file;
     }
 
@@ -74,43 +77,51 @@ class ManifestReader {
         static constexpr std::array<std::string_view, 3> cull{"none", "back", "front"};
         json::ObjectReader raster(*value, "\"raster\"", keys::raster(), diagnostics_);
         if (const auto choice = raster.optional("keep")) {
-            type_.raster.keep = static_cast<RasterState::Keep>(readChoice(*choice, keep, diagnostics_).value_or(0));
+            type_.raster.keep =
+                static_cast<RasterState::Keep>(readChoice(*choice, keep, diagnostics_).value_or(0));
         }
         if (const auto choice = raster.optional("cull")) {
-            type_.raster.cull = static_cast<RasterState::Cull>(readChoice(*choice, cull, diagnostics_).value_or(0));
+            type_.raster.cull =
+                static_cast<RasterState::Cull>(readChoice(*choice, cull, diagnostics_).value_or(0));
         }
         raster.finish();
     }
 
     void readPortsAndParameters() {
-        if (const auto value = object_.optional("parameters")) type_.parameters = readParameters(*value, diagnostics_);
+        if (const auto value = object_.optional("parameters"))
+            type_.parameters = readParameters(*value, diagnostics_);
         if (const auto value = object_.optional("inputs")) type_.inputs = readInputs(*value, diagnostics_);
         if (const auto value = object_.optional("outputs")) type_.outputs = readOutputs(*value, diagnostics_);
     }
 
     void checkPorts() {
         if (kindKnown_ && type_.kind != PassKind::Native && type_.outputs.empty()) {
-            diagnostics_.error(type_.where, fmt::format("a {} pass needs an output", graph::name(type_.kind)));
+            diagnostics_.error(type_.where,
+                               fmt::format("a {} pass needs an output", graph::name(type_.kind)));
         }
         std::set<std::string_view> inputs;
         for (const InputPort& input : type_.inputs) inputs.insert(input.name);
         int depthOutputs = 0;
         for (const OutputPort& output : type_.outputs) {
             if (inputs.count(output.name) > 0) {
-                diagnostics_.error(output.where, fmt::format("{} is an input too: ports of a pass have different names",
-                                                             inQuotes(output.name)));
+                diagnostics_.error(output.where,
+                                   fmt::format("{} is an input too: ports of a pass have different names",
+                                               inQuotes(output.name)));
             }
             if (type_.kind == PassKind::Raster && !output.bufferElement.empty()) {
-                diagnostics_.error(output.where, "a raster pass writes images, it cannot have a buffer as an output");
+                diagnostics_.error(output.where,
+                                   "a raster pass writes images, it cannot have a buffer as an output");
             }
-            if (output.bufferElement.empty() && info(output.format).isDepth) checkDepth(output, ++depthOutputs);
+            if (output.bufferElement.empty() && info(output.format).isDepth)
+                checkDepth(output, ++depthOutputs);
         }
     }
 
     void checkDepth(const OutputPort& output, int count) {
         if (kindKnown_ && type_.kind != PassKind::Raster) {
-            diagnostics_.error(output.where, fmt::format("d32f is written by raster passes only, found it in a {} pass",
-                                                         graph::name(type_.kind)));
+            diagnostics_.error(output.where,
+                               fmt::format("d32f is written by raster passes only, found it in a {} pass",
+                                           graph::name(type_.kind)));
         } else if (count > 1) {
             diagnostics_.error(output.where, "a raster pass has one output of format d32f at most");
         }
@@ -139,7 +150,8 @@ class ManifestReader {
             diagnostics_.error(size.where, fmt::format("unknown input {}{}", inQuotes(size.like),
                                                        suggestionAmong(size.like, type_.inputs)));
         } else if (!input->bufferElement.empty()) {
-            diagnostics_.error(size.where, fmt::format("{} is a buffer and has no size in pixels", inQuotes(size.like)));
+            diagnostics_.error(size.where,
+                               fmt::format("{} is a buffer and has no size in pixels", inQuotes(size.like)));
         }
     }
 
@@ -151,7 +163,9 @@ class ManifestReader {
 
 }  // namespace
 
-std::string_view name(PassKind kind) { return kindNames[static_cast<std::size_t>(kind)]; }
+std::string_view name(PassKind kind) {
+    return kindNames[static_cast<std::size_t>(kind)];
+}
 
 PassType readPassType(const json::Value& value, std::string name, Diagnostics& diagnostics) {
     return ManifestReader(value, std::move(name), diagnostics).read();

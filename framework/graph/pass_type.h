@@ -25,7 +25,7 @@ struct SizeRule {
     Kind kind = Kind::ScaleOfView;
     Expression width = Expression::constant(1);   ///< Absolute: pixels; ScaleOfView: the factor
     Expression height = Expression::constant(1);  ///< Absolute only
-    std::string like;                             ///< Like: in a manifest an input's name, in a graph "node.port"
+    std::string like;  ///< Like: in a manifest an input's name, in a graph "node.port"
     SourceLocation where;
 };
 
@@ -41,25 +41,27 @@ struct ParameterValue {
 struct ParameterDeclaration {
     std::string name;
     ParameterType type = ParameterType::Float;
-    std::uint32_t count = 1;                      ///< components: 1, 2..4, or N of float[N]
+    std::uint32_t count = 1;  ///< components: 1, 2..4, or N of float[N]
     ParameterValue defaultValue;
-    std::optional<std::array<double, 2>> range;   ///< inclusive, each component
-    bool specialize = false;                      ///< becomes a specialization constant
+    std::optional<std::array<double, 2>> range;  ///< inclusive, each component
+    bool specialize = false;                     ///< becomes a specialization constant
     std::string doc;
     SourceLocation where;
 };
 
 /// Checks a JSON value against a declaration (type, count, range); adds faults to `diagnostics`.
-std::optional<ParameterValue> readParameterValue(const json::Value& value, const ParameterDeclaration& declaration, Diagnostics& diagnostics);
+std::optional<ParameterValue> readParameterValue(const json::Value& value,
+                                                 const ParameterDeclaration& declaration,
+                                                 Diagnostics& diagnostics);
 
 struct InputPort {
     std::string name;
     std::string doc;
     bool optional = false;
-    std::array<double, 4> neutral{0, 0, 0, 0};    ///< what an unconnected or skipped input reads as
+    std::array<double, 4> neutral{0, 0, 0, 0};  ///< what an unconnected or skipped input reads as
     std::optional<Expression> neededWhen;
-    std::optional<Format> format;                 ///< what it expects; only r32u matters (read as uvec4, not as vec4)
-    std::string bufferElement;                    ///< GLSL element type when the port is a buffer, else empty
+    std::optional<Format> format;  ///< what it expects; only r32u matters (read as uvec4, not as vec4)
+    std::string bufferElement;     ///< GLSL element type when the port is a buffer, else empty
     SourceLocation where;
 };
 
@@ -76,7 +78,8 @@ struct OutputPort {
     SourceLocation where;
 };
 
-/// How a raster pass draws the scene (manifest key "raster"): which surface along a ray is kept, and which side is culled.
+/// How a raster pass draws the scene (manifest key "raster"): which surface along a ray is kept, and which
+/// side is culled.
 struct RasterState {
     enum class Keep : std::uint8_t { Nearest, Farthest };
     enum class Cull : std::uint8_t { None, Back, Front };
@@ -85,17 +88,18 @@ struct RasterState {
 };
 
 struct PassType {
-    std::string name;                             ///< the manifest's file name without .json
+    std::string name;  ///< the manifest's file name without .json
     PassKind kind = PassKind::Pixel;
     std::string doc;
     std::filesystem::path manifest;
-    std::filesystem::path shader;                 ///< resolved: beside the manifest, else in the shader folder; empty for native
-    std::vector<InputPort> inputs;                ///< in the manifest's order
+    std::filesystem::path
+        shader;  ///< resolved: beside the manifest, else in the shader folder; empty for native
+    std::vector<InputPort> inputs;  ///< in the manifest's order
     std::vector<OutputPort> outputs;
     std::vector<ParameterDeclaration> parameters;
     std::optional<Expression> skipWhen;
     RasterState raster;
-    bool sideEffect = false;                      ///< keeps itself alive although nothing reads it
+    bool sideEffect = false;  ///< keeps itself alive although nothing reads it
     SourceLocation where;
 };
 
@@ -108,13 +112,15 @@ PassType readPassType(const json::Value& value, std::string name, Diagnostics& d
 class PassLibrary {
   public:
     PassLibrary() = default;
-    /// Lists each folder's *.json; a manifest is read when it is first asked for, so a broken one hurts only its users.
+    /// Lists each folder's *.json; a manifest is read when it is first asked for, so a broken one hurts only
+    /// its users.
     PassLibrary(const std::vector<std::filesystem::path>& folders, std::filesystem::path shaderFolder);
 
     void add(PassType type);  ///< for tests and generated graphs
-    /// The type of that name or nullptr; the pointer stays valid as long as the library. Throws InputError if its manifest is wrong.
+    /// The type of that name or nullptr; the pointer stays valid as long as the library. Throws InputError if
+    /// its manifest is wrong.
     const PassType* find(std::string_view name) const;
-    std::vector<std::string> names() const;       ///< sorted
+    std::vector<std::string> names() const;  ///< sorted
 
   private:
     struct Entry {

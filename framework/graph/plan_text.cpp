@@ -1,5 +1,6 @@
 // A plan for people: passes in order, and under each its barriers, what it reads and what it writes.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -60,19 +61,15 @@ void addBarriers(const Plan& plan, Range range, Table& table) {
     }
 }
 
-std::string neutralInWords(const InputRead& read) {
-    return fmt::format("{} {} {} {}", read.neutral[0], read.neutral[1], read.neutral[2], read.neutral[3]);
+std::string readInWords(const Plan& plan, const InputRead& read) {
+    if (read.resource != noIndex) return "from " + plan.nameOf(plan.resources[read.resource]);
+    return fmt::format("constant {}", fmt::join(read.neutral, " "));
 }
 
 void addReads(const Plan& plan, const PlannedPass& pass, Table& table) {
     const auto reads = slice(plan.inputs, pass.inputs);
     for (std::size_t i = 0; i < reads.size(); ++i) {
-        const std::string& port = plan.typeOf(pass).inputs[i].name;
-        if (reads[i].resource == noIndex) {
-            table.add({"read", port, "constant", neutralInWords(reads[i])});
-        } else {
-            table.add({"read", port, "from", plan.nameOf(plan.resources[reads[i].resource])});
-        }
+        table.add({"read", plan.typeOf(pass).inputs[i].name, readInWords(plan, reads[i])});
     }
 }
 
@@ -81,9 +78,8 @@ void addWrites(const Plan& plan, const PlannedPass& pass, Table& table) {
         if (index == noIndex) continue;
         const Resource& resource = plan.resources[index];
         table.add({pass.iterations == 0 ? "clear" : "write", plan.typeOf(pass).outputs[resource.port].name,
-                   formatName(plan, resource),
-                   fmt::format("{}, {}, in use in passes {} to {}{}", sizeInWords(resource),
-                               bytesInWords(resource.bytes), resource.first, resource.last,
+                   formatName(plan, resource), sizeInWords(resource), bytesInWords(resource.bytes),
+                   fmt::format("passes {} to {}{}", resource.first, resource.last,
                                resource.requested ? ", requested" : "")});
     }
 }
@@ -98,23 +94,23 @@ void appendPass(const Plan& plan, Index index, std::string& text) {
     const PlannedPass& pass = plan.passes[index];
     text += fmt::format("\n{:>4}  {}\n", index, nodeLine(plan, pass.node));
     if (pass.iterations > 1) text += fmt::format("      {} iterations, one a light view\n", pass.iterations);
-    Table table;
-    addBarriers(plan, pass.barriers, table);
-    addReads(plan, pass, table);
-    addWrites(plan, pass, table);
-    table.appendTo(text, "      ");
+    Table barriers, reads, writes;
+    addBarriers(plan, pass.barriers, barriers);
+    addReads(plan, pass, reads);
+    addWrites(plan, pass, writes);
+    for (const Table* table : {&barriers, &reads, &writes}) table->appendTo(text, "      ");
 }
 
 void appendRequested(const Plan& plan, std::string& text) {
     text += "\n      copied out after the last pass\n";
-    Table table;
-    addBarriers(plan, plan.finalBarriers, table);
+    Table barriers, outputs;
+    addBarriers(plan, plan.finalBarriers, barriers);
     for (const RequestedOutput& output : plan.requested) {
-        table.add(
-            {"output", output.name, "from",
-             output.resource == noIndex ? "an empty buffer" : plan.nameOf(plan.resources[output.resource])});
+        outputs.add({"output", output.name,
+                     output.resource == noIndex ? "an empty buffer"
+                                                : "from " + plan.nameOf(plan.resources[output.resource])});
     }
-    table.appendTo(text, "      ");
+    for (const Table* table : {&barriers, &outputs}) table->appendTo(text, "      ");
 }
 
 }  // namespace

@@ -18,7 +18,8 @@ Json::Value fragment(std::string_view text) {
     const std::unique_ptr<Json::CharReader> reader(Json::CharReaderBuilder().newCharReader());
     Json::Value value;
     std::string faults;
-    if (!reader->parse(text.data(), text.data() + text.size(), &value, &faults)) throw std::logic_error(faults);
+    if (!reader->parse(text.data(), text.data() + text.size(), &value, &faults))
+        throw std::logic_error(faults);
     return value;
 }
 
@@ -64,7 +65,8 @@ Json::Value commonDefinitions() {
          "properties": {"scale": {"$ref": "#/definitions/expression"}}},
         {"type": "object", "additionalProperties": false, "required": ["like"],
          "properties": {"like": {"type": "string"}}}]})");
-    definitions["range"] = fragment(R"({"type": "array", "minItems": 2, "maxItems": 2, "items": {"type": "number"}})");
+    definitions["range"] =
+        fragment(R"({"type": "array", "minItems": 2, "maxItems": 2, "items": {"type": "number"}})");
     definitions["format"] = formatSchema();
     return definitions;
 }
@@ -82,7 +84,8 @@ std::string documentText(Json::Value schema, std::string_view title, Json::Value
 
 std::string graphSchema() {
     Json::Value definitions = commonDefinitions();
-    definitions["port"] = fragment(R"({"type": "string", "pattern": "^[A-Za-z_][A-Za-z0-9_-]*\\.[A-Za-z_][A-Za-z0-9_]*$"})");
+    definitions["port"] =
+        fragment(R"({"type": "string", "pattern": "^[A-Za-z_][A-Za-z0-9_-]*\\.[A-Za-z_][A-Za-z0-9_]*$"})");
     definitions["parameter"] = objectSchema(keys::graphParameter(), "a value nodes and expressions may use");
     definitions["node"] = objectSchema(keys::node(), "one pass of the graph");
     return documentText(objectSchema(keys::graph(), "passes, how they are connected, and what comes out"),
@@ -98,8 +101,9 @@ std::string passSchema() {
     definitions["output"] = objectSchema(keys::output(), "an image or buffer the pass writes");
     definitions["parameter"] = objectSchema(keys::parameter(), "a value a graph may set");
     definitions["raster"] = objectSchema(keys::raster(), "how a raster pass draws");
-    return documentText(objectSchema(keys::manifest(), "a pass type: its ports, parameters and skip conditions"),
-                        "Nephrite pass manifest", std::move(definitions));
+    return documentText(
+        objectSchema(keys::manifest(), "a pass type: its ports, parameters and skip conditions"),
+        "Nephrite pass manifest", std::move(definitions));
 }
 
 }  // namespace nephrite::graph

@@ -1,4 +1,5 @@
-// JSON Schemas (draft 4 vocabulary) of graph, pass manifest and scene-independent parts, made from the same tables the readers use.
+// JSON Schemas (draft 4 vocabulary) of graph, pass manifest and scene-independent parts, made from the same
+// tables the readers use.
 #pragma once
 
 #include <string>

@@ -7,7 +7,8 @@
 namespace nephrite::graph {
 namespace {
 
-/// A --set argument taken apart. Faults in it are placed on line 1 of "--set ARGUMENT", columns counted in the argument.
+/// A --set argument taken apart. Faults in it are placed on line 1 of "--set ARGUMENT", columns counted in
+/// the argument.
 struct Setting {
     std::string target;
     json::Value value;
@@ -29,8 +30,9 @@ Setting takeApart(const std::string& text) {
 void setGraphParameter(GraphDescription& graph, const Setting& setting) {
     GraphParameter* parameter = findNamed(graph.parameters, setting.target);
     if (parameter == nullptr) {
-        throw InputError(setting.where, fmt::format("the graph has no parameter {}{}", inQuotes(setting.target),
-                                                    suggestionAmong(setting.target, graph.parameters)));
+        throw InputError(setting.where,
+                         fmt::format("the graph has no parameter {}{}", inQuotes(setting.target),
+                                     suggestionAmong(setting.target, graph.parameters)));
     }
     Diagnostics diagnostics;
     auto value = readGraphParameterValue(setting.value, diagnostics);
@@ -40,8 +42,8 @@ void setGraphParameter(GraphDescription& graph, const Setting& setting) {
         const std::string expected = parameter->isBool ? "true or false"
                                      : count == 1      ? "a number"
                                                        : fmt::format("an array of {} numbers", count);
-        throw InputError(setting.value.where(), fmt::format("{}: expected {}, found {}", parameter->name, expected,
-                                                            setting.value.describe()));
+        throw InputError(setting.value.where(), fmt::format("{}: expected {}, found {}", parameter->name,
+                                                            expected, setting.value.describe()));
     }
     parameter->value = std::move(*value);
     checkGraphParameterRange(*parameter, setting.value.where(), diagnostics);

@@ -15,9 +15,10 @@ constexpr double largestSide = 1e6;    ///< pixels; no device comes near it
 constexpr double largestScale = 1000;  ///< of the view
 
 constexpr std::array<std::string_view, 34> glslKeywords{
-    "bool", "int",   "uint",  "float",  "double", "vec2",   "vec3", "vec4",     "mat2",  "mat3",  "mat4",    "void",
-    "if",   "else",  "for",   "while",  "do",     "switch", "case", "default",  "break", "const", "return",  "continue",
-    "in",   "out",   "inout", "struct", "true",   "false",  "discard", "sampler2D", "image2D", "uniform"};
+    "bool",   "int",     "uint",  "float",   "double",    "vec2",     "vec3",   "vec4", "mat2",
+    "mat3",   "mat4",    "void",  "if",      "else",      "for",      "while",  "do",   "switch",
+    "case",   "default", "break", "const",   "return",    "continue", "in",     "out",  "inout",
+    "struct", "true",    "false", "discard", "sampler2D", "image2D",  "uniform"};
 
 SourceLocation insideString(const json::Value& value) {
     SourceLocation where = value.where();
@@ -32,7 +33,8 @@ std::optional<Expression> readSide(const json::Value& value, Diagnostics& diagno
 
 std::optional<SizeRule> readAbsoluteSize(const json::Value& value, Diagnostics& diagnostics) {
     if (value.size() != 2) {
-        diagnostics.error(value.where(), fmt::format("expected a size [width, height], found {}", value.describe()));
+        diagnostics.error(value.where(),
+                          fmt::format("expected a size [width, height], found {}", value.describe()));
         return std::nullopt;
     }
     std::optional<Expression> width = readSide(value.at(0), diagnostics);
@@ -41,13 +43,15 @@ std::optional<SizeRule> readAbsoluteSize(const json::Value& value, Diagnostics& 
     return SizeRule{SizeRule::Kind::Absolute, std::move(*width), std::move(*height), {}, value.where()};
 }
 
-std::optional<SizeRule> readScale(const json::Value& scale, const SourceLocation& where, Diagnostics& diagnostics) {
+std::optional<SizeRule> readScale(const json::Value& scale, const SourceLocation& where,
+                                  Diagnostics& diagnostics) {
     std::optional<Expression> factor = readExpression(scale, diagnostics);
     if (!factor) return std::nullopt;
     const std::optional<double> literal = factor->literal();
     if (literal && !(*literal > 0 && *literal <= largestScale)) {
-        diagnostics.error(scale.where(), fmt::format("a scale of the view is above 0 and at most {}, found {}",
-                                                     largestScale, *literal));
+        diagnostics.error(
+            scale.where(),
+            fmt::format("a scale of the view is above 0 and at most {}, found {}", largestScale, *literal));
         return std::nullopt;
     }
     SizeRule rule;
@@ -68,24 +72,27 @@ void checkParameterName(const ExpressionName& name, std::span<const ParameterDec
     if (!hasElements && name.element) {
         diagnostics.error(name.where, fmt::format("params.{} is one number and has no elements", name.name));
     } else if (hasElements && !name.element) {
-        diagnostics.error(name.where, fmt::format("params.{0} has {1} elements, expected params.{0}[0] to params.{0}[{2}]",
-                                                  name.name, parameter->count, parameter->count - 1));
+        diagnostics.error(
+            name.where, fmt::format("params.{0} has {1} elements, expected params.{0}[0] to params.{0}[{2}]",
+                                    name.name, parameter->count, parameter->count - 1));
     } else if (hasElements && *name.element >= parameter->count) {
-        diagnostics.error(name.where, fmt::format("params.{} has {} elements, the first is [0], found [{}]", name.name,
-                                                  parameter->count, *name.element));
+        diagnostics.error(name.where, fmt::format("params.{} has {} elements, the first is [0], found [{}]",
+                                                  name.name, parameter->count, *name.element));
     }
 }
 
 void checkSceneFact(const ExpressionName& name, Diagnostics& diagnostics) {
     const std::vector<std::string_view> facts = SceneFacts::names();
     if (std::find(facts.begin(), facts.end(), name.name) != facts.end()) return;
-    diagnostics.error(name.where, fmt::format("unknown scene fact {}{}", inQuotes(name.name),
-                                              suggestion(name.name, std::span<const std::string_view>(facts))));
+    diagnostics.error(name.where,
+                      fmt::format("unknown scene fact {}{}", inQuotes(name.name),
+                                  suggestion(name.name, std::span<const std::string_view>(facts))));
 }
 
 void checkInputName(const ExpressionName& name, const ExpressionScope& scope, Diagnostics& diagnostics) {
     if (!scope.inputsAllowed) {
-        diagnostics.error(name.where, "inputs.PORT.neutral can be used in conditions only, not in sizes and counts");
+        diagnostics.error(name.where,
+                          "inputs.PORT.neutral can be used in conditions only, not in sizes and counts");
     } else if (findNamed(scope.inputs, name.name) == nullptr) {
         diagnostics.error(name.where, fmt::format("unknown input {}{}", inQuotes(name.name),
                                                   suggestionAmong(name.name, scope.inputs)));
@@ -123,14 +130,14 @@ std::optional<Expression> readExpression(const json::Value& value, Diagnostics& 
     return Expression::compile(*text, insideString(value), diagnostics);
 }
 
-std::optional<Expression> readCount(const json::Value& value, std::string_view what, double least, double most,
-                                    Diagnostics& diagnostics) {
+std::optional<Expression> readCount(const json::Value& value, std::string_view what, double least,
+                                    double most, Diagnostics& diagnostics) {
     std::optional<Expression> count = readExpression(value, diagnostics);
     if (!count) return std::nullopt;
     const std::optional<double> literal = count->literal();
     if (literal && !(*literal >= least && *literal <= most && *literal == std::floor(*literal))) {
-        diagnostics.error(value.where(), fmt::format("{} is an integer from {} to {}, found {}", what, least, most,
-                                                     *literal));
+        diagnostics.error(value.where(), fmt::format("{} is an integer from {} to {}, found {}", what, least,
+                                                     most, *literal));
         return std::nullopt;
     }
     return count;
@@ -141,9 +148,11 @@ std::optional<SizeRule> readSize(const json::Value& value, Diagnostics& diagnost
     const std::optional<json::Value> scale = value.find("scale");
     const std::optional<json::Value> like = value.find("like");
     if (!value.isObject() || (scale.has_value() == like.has_value())) {
-        diagnostics.error(value.where(), fmt::format("expected a size: [width, height], {{\"scale\": factor of the view}} "
-                                                     "or {{\"like\": port}}, found {}",
-                                                     value.isObject() ? value.sourceText().substr(0, 40) : value.describe()));
+        diagnostics.error(
+            value.where(),
+            fmt::format("expected a size: [width, height], {{\"scale\": factor of the view}} "
+                        "or {{\"like\": port}}, found {}",
+                        value.isObject() ? value.sourceText().substr(0, 40) : value.describe()));
         return std::nullopt;
     }
     json::ObjectReader object(value, "a size", diagnostics);
@@ -182,8 +191,8 @@ std::optional<std::size_t> readChoice(const json::Value& value, std::span<const 
     if (!text) return std::nullopt;
     const auto found = std::find(choices.begin(), choices.end(), *text);
     if (found != choices.end()) return static_cast<std::size_t>(found - choices.begin());
-    diagnostics.error(value.where(),
-                      fmt::format("expected {}, found {}{}", expected, inQuotes(*text), suggestion(*text, choices)));
+    diagnostics.error(value.where(), fmt::format("expected {}, found {}{}", expected, inQuotes(*text),
+                                                 suggestion(*text, choices)));
     return std::nullopt;
 }
 
@@ -191,8 +200,8 @@ std::optional<std::array<double, 2>> readRange(const json::Value& value, Diagnos
     const auto ends = value.numbers(diagnostics, "a range [least, greatest]", 2);
     if (!ends) return std::nullopt;
     if ((*ends)[0] > (*ends)[1]) {
-        diagnostics.error(value.where(), fmt::format("a range's least value comes first, found [{}, {}]", (*ends)[0],
-                                                     (*ends)[1]));
+        diagnostics.error(value.where(), fmt::format("a range's least value comes first, found [{}, {}]",
+                                                     (*ends)[0], (*ends)[1]));
         return std::nullopt;
     }
     return std::array<double, 2>{(*ends)[0], (*ends)[1]};
@@ -201,15 +210,23 @@ std::optional<std::array<double, 2>> readRange(const json::Value& value, Diagnos
 void checkNames(const Expression& expression, const ExpressionScope& scope, Diagnostics& diagnostics) {
     for (const ExpressionName& name : expression.names()) {
         switch (name.space) {
-            case ExpressionName::Space::Parameter: checkParameterName(name, scope.parameters, diagnostics); break;
-            case ExpressionName::Space::SceneFact: checkSceneFact(name, diagnostics); break;
-            case ExpressionName::Space::InputNeutral: checkInputName(name, scope, diagnostics); break;
+            case ExpressionName::Space::Parameter:
+                checkParameterName(name, scope.parameters, diagnostics);
+                break;
+            case ExpressionName::Space::SceneFact:
+                checkSceneFact(name, diagnostics);
+                break;
+            case ExpressionName::Space::InputNeutral:
+                checkInputName(name, scope, diagnostics);
+                break;
             case ExpressionName::Space::GraphParameter:
                 if (scope.checkGraphParameter) {
                     scope.checkGraphParameter(name);
                 } else {
-                    diagnostics.error(name.where, fmt::format("a manifest knows no graph, found graph.{0}, did you mean "
-                                                              "params.{0}?", name.name));
+                    diagnostics.error(name.where,
+                                      fmt::format("a manifest knows no graph, found graph.{0}, did you mean "
+                                                  "params.{0}?",
+                                                  name.name));
                 }
                 break;
         }

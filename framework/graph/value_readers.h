@@ -13,14 +13,16 @@ namespace nephrite::graph {
 
 /// [A-Za-z_][A-Za-z0-9_]*, with dashes after the first character too if `dashes`.
 bool isIdentifier(std::string_view name, bool dashes = false);
-/// Adds a fault unless GLSL can use the name: an identifier without "gl_" at its start, without "__" and no keyword.
-void checkGlslName(const std::string& name, const SourceLocation& where, std::string_view what, Diagnostics& diagnostics);
+/// Adds a fault unless GLSL can use the name: an identifier without "gl_" at its start, without "__" and no
+/// keyword.
+void checkGlslName(const std::string& name, const SourceLocation& where, std::string_view what,
+                   Diagnostics& diagnostics);
 
 /// A number, a boolean or an expression string.
 std::optional<Expression> readExpression(const json::Value& value, Diagnostics& diagnostics);
 /// An expression that counts something: if it uses no names it must be an integer in [least, most].
-std::optional<Expression> readCount(const json::Value& value, std::string_view what, double least, double most,
-                                    Diagnostics& diagnostics);
+std::optional<Expression> readCount(const json::Value& value, std::string_view what, double least,
+                                    double most, Diagnostics& diagnostics);
 /// [w, h], {"scale": s} or {"like": name}. `like` is not looked up.
 std::optional<SizeRule> readSize(const json::Value& value, Diagnostics& diagnostics);
 std::optional<Format> readFormat(const json::Value& value, Diagnostics& diagnostics);

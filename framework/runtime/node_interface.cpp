@@ -159,7 +159,7 @@ class Builder {
     }
 
     void addInput(const graph::InputPort& port, const InputRead& read) {
-        line(fmt::format("const bool connected_{} = {};", port.name, read.resource != graph::noIndex));
+        line(fmt::format("bool connected_{}() {{ return {}; }}", port.name, read.resource != graph::noIndex));
         if (read.resource == graph::noIndex) return addNeutralInput(port, read);
         const Resource& resource = plan_.resources[read.resource];
         if (resource.isBuffer) return addBuffer(port.name, port.bufferElement, read.resource, "readonly ");
@@ -171,8 +171,10 @@ class Builder {
         if (!port.bufferElement.empty()) return addNeutralBuffer(port);
         const std::string width = block_.append(read.extent.width, "int");
         const std::string height = block_.append(read.extent.height, "int");
+        const bool isInteger = port.format && graph::info(*port.format).isUnsignedInteger;
+        const std::string_view vector = isInteger ? "uvec4" : "vec4";
         const auto& v = read.neutral;
-        line(fmt::format("const vec4 neutral_{} = vec4({}, {}, {}, {});", n, floatLiteral(v[0]),
+        line(fmt::format("const {0} neutral_{1} = {0}({2}, {3}, {4}, {5});", vector, n, floatLiteral(v[0]),
                          floatLiteral(v[1]), floatLiteral(v[2]), floatLiteral(v[3])));
         line(fmt::format("ivec2 extent_{}() {{ return ivec2({}, {}); }}", n, width, height));
         line(fmt::format("int layers_{0}() {{ return 1; }} int levels_{0}() {{ return 1; }}", n));
@@ -180,7 +182,8 @@ class Builder {
              {"load_{}(ivec2 p)", "load_{}(ivec2 p, int level)", "loadLevel_{}(ivec2 p, int level)",
               "loadLayer_{}(ivec2 p, int layer)", "sample_{}(vec2 uv)",
               "sampleLevel_{}(vec2 uv, float level)", "sampleLayer_{}(vec2 uv, int layer)"})
-            line(fmt::format("vec4 {} {{ return neutral_{}; }}", fmt::format(fmt::runtime(signature), n), n));
+            line(fmt::format("{} {} {{ return neutral_{}; }}", vector,
+                             fmt::format(fmt::runtime(signature), n), n));
     }
 
     void addNeutralBuffer(const graph::InputPort& port) {

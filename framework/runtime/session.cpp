@@ -38,7 +38,7 @@ graph::Plan compilePlan(const SessionOptions& options, const LoadedGraph& loaded
     request.facts = sceneFacts(scene.facts());
     request.view = options.size;
     for (const std::string& dump : options.dumps) request.dumps.push_back(dumpReference(dump));
-    request.inputReads = inputReadsOn(device);
+    request.inputReads = options.inputReads.value_or(inputReadsOn(device));
     request.skip = options.skip;
     request.maxExtent = device.maxImageExtent();
     request.maxLayers = device.maxImageLayers();

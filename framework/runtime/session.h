@@ -31,6 +31,7 @@ struct SessionOptions {
     Validation validation = Validation::Off;
     std::vector<std::filesystem::path> passPaths;
     bool skip = true;
+    std::optional<graph::InputReads> inputReads;  ///< how shaders read images; empty: as suits the device
     std::optional<std::uint32_t>
         omitBarrier;       ///< a barrier of the plan left out, to see that validation notices
     bool profile = false;  ///< a full barrier around each pass, so that each is timed alone

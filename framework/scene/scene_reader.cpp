@@ -49,6 +49,7 @@ class SceneReader {
     // ---- camera
 
     void readCamera(const Value& value) {
+        const std::size_t faultsBefore = diagnostics_.errors().size();
         ObjectReader object(value, "a camera", keys::camera(), diagnostics_);
         CameraDescription& camera = scene_.camera;
         camera.where = value.where();
@@ -58,6 +59,8 @@ class SceneReader {
         readNumber(object, "fovY", fieldOfView, camera.fovY);
         readDepthRange(object, camera);
         object.finish();
+        if (diagnostics_.errors().size() != faultsBefore) return;  // what follows from them is no news
+        checkDepthRange(object, camera);
         checkOrientation(camera);
     }
 
@@ -73,13 +76,16 @@ class SceneReader {
         readNumber(object, "far", positive, far);
         camera.near = near * scene_.millimetersPerUnit;
         camera.far = far * scene_.millimetersPerUnit;
-        const auto written =
-            object.value().find("near") ? object.value().find("near") : object.value().find("far");
-        if (written && !(near < far))
-            diagnostics_.error(written->where(),
-                               fmt::format("the camera's near must be less than its far, found near {} "
-                                           "and far {}",
-                                           near, far));
+    }
+
+    void checkDepthRange(const ObjectReader& object, const CameraDescription& camera) {
+        if (camera.near < camera.far) return;
+        const auto near = object.value().find("near"), far = object.value().find("far");
+        if (!near && !far) return;  // both are 0 then: position and target are the same
+        diagnostics_.error(
+            (near ? near : far)->where(),
+            fmt::format("the camera's near must be less than its far, found near {} and far {}",
+                        camera.near / scene_.millimetersPerUnit, camera.far / scene_.millimetersPerUnit));
     }
 
     void checkOrientation(const CameraDescription& camera) {

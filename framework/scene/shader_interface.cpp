@@ -129,7 +129,8 @@ vec3 environmentRadiance(vec3 direction) {
     ivec2 size = textureSize(scene_environmentMap, 0);
     vec3 d = normalize(direction);
     float azimuth = d.x == 0.0 && d.z == 0.0 ? 0.0 : atan(d.x, -d.z);
-    vec2 t = vec2(0.5 + azimuth / (2.0 * pi), acos(clamp(d.y, -1.0, 1.0)) / pi) * vec2(size) - 0.5;
+    float polar = atan(length(d.xz), d.y);  // some drivers' acos is good to 1e-4 only
+    vec2 t = vec2(0.5 + azimuth / (2.0 * pi), polar / pi) * vec2(size) - 0.5;
     vec2 low = floor(t);
     vec2 f = t - low;
     int x0 = (int(low.x) + size.x) % size.x, x1 = (x0 + 1) % size.x;

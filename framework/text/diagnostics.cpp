@@ -64,11 +64,11 @@ std::string nearest(std::string_view found, std::span<const Word> known) {
 
 std::string toLine(const Diagnostic& diagnostic, std::string_view severity) {
     const SourceLocation& where = diagnostic.where;
-    std::string line = where.line == 0
-                           ? fmt::format("{}: {}: {}", where.file, severity, diagnostic.message)
-                           : fmt::format("{}:{}:{}: {}: {}", where.file, where.line, where.column, severity,
-                                         diagnostic.message);
-    std::replace_if(line.begin(), line.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+    std::string line = where.line == 0 ? fmt::format("{}: {}: {}", where.file, severity, diagnostic.message)
+                                       : fmt::format("{}:{}:{}: {}: {}", where.file, where.line, where.column,
+                                                     severity, diagnostic.message);
+    std::replace_if(
+        line.begin(), line.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
     return line;
 }
 

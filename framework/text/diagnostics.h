@@ -67,7 +67,8 @@ class Diagnostics {
 /// `text` between double quotes for a message: control characters escaped, cut short after about 60 bytes.
 std::string inQuotes(std::string_view text);
 
-/// `, did you mean "close"?` for the known word nearest to `found` in edit distance, or nothing if none is near.
+/// `, did you mean "close"?` for the known word nearest to `found` in edit distance, or nothing if none is
+/// near.
 std::string suggestion(std::string_view found, std::span<const std::string_view> known);
 std::string suggestion(std::string_view found, std::span<const std::string> known);
 

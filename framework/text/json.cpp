@@ -10,7 +10,9 @@
 namespace nephrite::json {
 namespace {
 
-std::size_t startOf(const Json::Value& value) { return static_cast<std::size_t>(value.getOffsetStart()); }
+std::size_t startOf(const Json::Value& value) {
+    return static_cast<std::size_t>(value.getOffsetStart());
+}
 
 std::string expected(std::string_view what, const Value& value) {
     return fmt::format("expected {}, found {}", what, value.describe());
@@ -21,7 +23,9 @@ std::string expected(std::string_view what, const Value& value) {
 Value::Value(std::shared_ptr<const Document> document, const Json::Value* value)
     : document_(std::move(document)), value_(value) {}
 
-SourceLocation Value::where() const { return locate(*document_, startOf(*value_)); }
+SourceLocation Value::where() const {
+    return locate(*document_, startOf(*value_));
+}
 
 SourceLocation Value::whereKey() const {
     const auto& keys = document_->keys;
@@ -45,14 +49,28 @@ std::string_view Value::sourceText() const {
     return std::string_view(document_->text).substr(startOf(*value_), limit - startOf(*value_));
 }
 
-bool Value::isObject() const { return value_->type() == Json::objectValue; }
-bool Value::isArray() const { return value_->type() == Json::arrayValue; }
-bool Value::isString() const { return value_->type() == Json::stringValue; }
-bool Value::isNumber() const { return value_->isNumeric() && !isBool(); }
-bool Value::isBool() const { return value_->type() == Json::booleanValue; }
-bool Value::isNull() const { return value_->type() == Json::nullValue; }
+bool Value::isObject() const {
+    return value_->type() == Json::objectValue;
+}
+bool Value::isArray() const {
+    return value_->type() == Json::arrayValue;
+}
+bool Value::isString() const {
+    return value_->type() == Json::stringValue;
+}
+bool Value::isNumber() const {
+    return value_->isNumeric() && !isBool();
+}
+bool Value::isBool() const {
+    return value_->type() == Json::booleanValue;
+}
+bool Value::isNull() const {
+    return value_->type() == Json::nullValue;
+}
 
-std::size_t Value::size() const { return isObject() || isArray() ? value_->size() : 0; }
+std::size_t Value::size() const {
+    return isObject() || isArray() ? value_->size() : 0;
+}
 
 Value Value::at(std::size_t index) const {
     return {document_, &(*value_)[static_cast<Json::ArrayIndex>(index)]};
@@ -122,7 +140,8 @@ ObjectReader::ObjectReader(const Value& value, std::string what, Diagnostics& di
     if (!value_.isObject()) diagnostics_.error(value_.where(), expected(what_ + " (an object)", value_));
 }
 
-ObjectReader::ObjectReader(const Value& value, std::string what, std::span<const Key> keys, Diagnostics& diagnostics)
+ObjectReader::ObjectReader(const Value& value, std::string what, std::span<const Key> keys,
+                           Diagnostics& diagnostics)
     : ObjectReader(value, std::move(what), diagnostics) {
     for (const Key& key : keys) {
         if (key.required) {
@@ -149,8 +168,9 @@ std::optional<Value> ObjectReader::required(std::string_view key) {
 void ObjectReader::finish() {
     for (const auto& [key, member] : value_.members()) {
         if (std::find(asked_.begin(), asked_.end(), key) != asked_.end()) continue;
-        diagnostics_.error(member.whereKey(), fmt::format("unknown key {} in {}{}", inQuotes(key), what_,
-                                                          suggestion(key, std::span<const std::string>(asked_))));
+        diagnostics_.error(member.whereKey(),
+                           fmt::format("unknown key {} in {}{}", inQuotes(key), what_,
+                                       suggestion(key, std::span<const std::string>(asked_))));
     }
 }
 

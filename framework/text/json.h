@@ -1,7 +1,8 @@
-// JSON with the source position of every value, and readers that turn objects into structs while naming each fault.
+// JSON with the source position of every value, and readers that turn objects into structs while naming each
+// fault.
 //
-// Comments and trailing commas are allowed; duplicate keys, unknown keys, numbers that overflow a double and text
-// after the value are errors. JsonCpp does the parsing; this file adds positions and checked access.
+// Comments and trailing commas are allowed; duplicate keys, unknown keys, numbers that overflow a double and
+// text after the value are errors. JsonCpp does the parsing; this file adds positions and checked access.
 #pragma once
 
 #include <json/value.h>
@@ -38,10 +39,11 @@ class Value {
   public:
     Value(std::shared_ptr<const Document> document, const Json::Value* value);
 
-    SourceLocation where() const;              ///< where the value starts
-    SourceLocation whereKey() const;           ///< where its key starts if it is an object's member, else where()
-    std::string describe() const;              ///< what was found, short, for "found ...": `the string "abc"`, `an object`
-    std::string_view sourceText() const;       ///< the bytes of the value as written
+    SourceLocation where() const;     ///< where the value starts
+    SourceLocation whereKey() const;  ///< where its key starts if it is an object's member, else where()
+    std::string describe()
+        const;  ///< what was found, short, for "found ...": `the string "abc"`, `an object`
+    std::string_view sourceText() const;  ///< the bytes of the value as written
     const Json::Value& raw() const { return *value_; }
 
     bool isObject() const;
@@ -51,9 +53,9 @@ class Value {
     bool isBool() const;
     bool isNull() const;
 
-    std::size_t size() const;                              ///< elements of an array, members of an object
-    Value at(std::size_t index) const;                     ///< an array's element
-    std::optional<Value> find(std::string_view key) const; ///< an object's member
+    std::size_t size() const;                               ///< elements of an array, members of an object
+    Value at(std::size_t index) const;                      ///< an array's element
+    std::optional<Value> find(std::string_view key) const;  ///< an object's member
     /// An object's members in the order the file has them.
     std::vector<std::pair<std::string, Value>> members() const;
 
@@ -63,7 +65,8 @@ class Value {
     std::optional<bool> boolean(Diagnostics& diagnostics, std::string_view what) const;
     std::optional<std::string> string(Diagnostics& diagnostics, std::string_view what) const;
     /// An array of `count` numbers (any count if 0).
-    std::optional<std::vector<double>> numbers(Diagnostics& diagnostics, std::string_view what, std::size_t count = 0) const;
+    std::optional<std::vector<double>> numbers(Diagnostics& diagnostics, std::string_view what,
+                                               std::size_t count = 0) const;
 
   private:
     std::shared_ptr<const Document> document_;
@@ -76,7 +79,8 @@ Value parse(std::string text, std::string file);
 /// Reads and parses a file. Throws InputError (`FILE: error: ...` when it cannot be read).
 Value parseFile(const std::filesystem::path& path);
 
-/// A key that an object may have. Tables of these say what a reader accepts, and schemas are made from the same tables.
+/// A key that an object may have. Tables of these say what a reader accepts, and schemas are made from the
+/// same tables.
 struct Key {
     std::string_view name;
     std::string_view schema;  ///< JSON Schema of its value, as JSON text
@@ -84,7 +88,8 @@ struct Key {
     bool required = false;
 };
 
-/// Reads one object: asks for its keys one by one, then `finish` reports the keys nobody asked for, with a suggestion.
+/// Reads one object: asks for its keys one by one, then `finish` reports the keys nobody asked for, with a
+/// suggestion.
 ///
 ///     ObjectReader object(value, "a light", diagnostics);
 ///     auto type = object.required("type");

@@ -16,7 +16,8 @@ namespace nephrite::json {
 namespace {
 
 /// The first fault of JsonCpp's report, which reads "* Line 3, Column 8\n  Message\n...".
-TextFault firstFault(std::string_view text, const std::vector<std::size_t>& lineStarts, std::string_view report) {
+TextFault firstFault(std::string_view text, const std::vector<std::size_t>& lineStarts,
+                     std::string_view report) {
     const auto numberAfter = [&](std::string_view label) {
         std::size_t value = 1;
         const std::size_t at = report.find(label);
@@ -38,13 +39,15 @@ std::string reworded(std::string_view text, const TextFault& fault) {
     const std::string found = describeTextAt(text, fault.offset);
     if (says("Duplicate key")) {
         const std::size_t close = text.find('"', fault.offset + 1);
-        const bool atKey = fault.offset < text.size() && text[fault.offset] == '"' && close != std::string_view::npos;
+        const bool atKey =
+            fault.offset < text.size() && text[fault.offset] == '"' && close != std::string_view::npos;
         const std::string_view key =
             atKey ? text.substr(fault.offset + 1, close - fault.offset - 1) : std::string_view();
         return fmt::format("duplicate key {}, this object already has it", inQuotes(key));
     }
     if (says("Missing ':'")) return fmt::format("expected \":\" after the key, found {}", found);
-    if (says("object member name")) return fmt::format("expected a key in double quotes or \"}}\", found {}", found);
+    if (says("object member name"))
+        return fmt::format("expected a key in double quotes or \"}}\", found {}", found);
     if (says("object declaration")) return fmt::format("expected \",\" or \"}}\", found {}", found);
     if (says("array declaration")) return fmt::format("expected \",\" or \"]\", found {}", found);
     if (says("Extra non-whitespace")) return fmt::format("expected nothing after the value, found {}", found);

@@ -12,11 +12,21 @@ namespace {
 
 constexpr std::size_t none = std::string_view::npos;
 
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
-bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '$'; }
-bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
-bool isNumberStart(char c) { return isDigit(c) || c == '-' || c == '+' || c == '.'; }
-bool isNumberPart(char c) { return isNumberStart(c) || isLetter(c); }
+bool isDigit(char c) {
+    return c >= '0' && c <= '9';
+}
+bool isLetter(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '$';
+}
+bool isSpace(char c) {
+    return c == ' ' || c == '\t' || c == '\n' || c == '\r';
+}
+bool isNumberStart(char c) {
+    return isDigit(c) || c == '-' || c == '+' || c == '.';
+}
+bool isNumberPart(char c) {
+    return isNumberStart(c) || isLetter(c);
+}
 
 /// -?(0|[1-9][0-9]*)(\.[0-9]+)?([eE][+-]?[0-9]+)?
 bool isNumber(std::string_view token) {
@@ -55,7 +65,9 @@ class Scanner {
 
   private:
     char peek(std::size_t ahead = 0) const { return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0'; }
-    void fail(std::size_t offset, std::string message) { scan_.fault = TextFault{offset, std::move(message)}; }
+    void fail(std::size_t offset, std::string message) {
+        scan_.fault = TextFault{offset, std::move(message)};
+    }
 
     void blank(std::size_t from, std::size_t to) {
         for (std::size_t i = from; i < to; ++i) {
@@ -93,7 +105,8 @@ class Scanner {
         if (c == '{' || c == '[') {
             valueStarts();
             if (++depth_ > maximumDepth) {
-                return fail(at_, fmt::format("objects and arrays are nested deeper than {} levels", maximumDepth));
+                return fail(at_,
+                            fmt::format("objects and arrays are nested deeper than {} levels", maximumDepth));
             }
         } else if (c == '}' || c == ']') {
             --depth_;
@@ -135,8 +148,8 @@ class Scanner {
         for (const std::string_view known : words) {
             if (token == known) return;
         }
-        fail(start, fmt::format("expected a value or a string in double quotes, found the word {}{}", inQuotes(token),
-                                suggestion(token, words)));
+        fail(start, fmt::format("expected a value or a string in double quotes, found the word {}{}",
+                                inQuotes(token), suggestion(token, words)));
     }
 
     void string() {
@@ -164,7 +177,8 @@ class Scanner {
         static constexpr std::string_view simple = "\"\\/bfnrt";
         if (peek(1) != 'u') {
             if (peek(1) == '\0' || simple.find(peek(1)) == none) {
-                return fail(at_, "unknown escape in a string, expected \\\" \\\\ \\/ \\b \\f \\n \\r \\t or \\uXXXX");
+                return fail(
+                    at_, "unknown escape in a string, expected \\\" \\\\ \\/ \\b \\f \\n \\r \\t or \\uXXXX");
             }
             at_ += 2;
             return;
@@ -175,7 +189,8 @@ class Scanner {
         at_ += 6;
         if (*unit < 0xD800 || *unit > 0xDFFF) return;
         const std::optional<unsigned> low = *unit < 0xDC00 ? codeUnit() : std::nullopt;
-        if (!low || *low < 0xDC00 || *low > 0xDFFF) return fail(start, "half of a surrogate pair in a string");
+        if (!low || *low < 0xDC00 || *low > 0xDFFF)
+            return fail(start, "half of a surrogate pair in a string");
         at_ += 6;
     }
 
@@ -207,7 +222,9 @@ class Scanner {
 
 }  // namespace
 
-std::size_t byteOrderMarkLength(std::string_view text) { return text.substr(0, 3) == "\xEF\xBB\xBF" ? 3 : 0; }
+std::size_t byteOrderMarkLength(std::string_view text) {
+    return text.substr(0, 3) == "\xEF\xBB\xBF" ? 3 : 0;
+}
 
 Scan scan(std::string_view text) {
     const std::size_t valid = validUtf8Length(text);

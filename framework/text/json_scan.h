@@ -1,5 +1,5 @@
-// The words of a JSON text checked one by one before JsonCpp sees it: JsonCpp reads a lone "-" as 0, "01" as 1, raw
-// line breaks in strings and broken UTF-8, and does not say where keys stand.
+// The words of a JSON text checked one by one before JsonCpp sees it: JsonCpp reads a lone "-" as 0, "01" as
+// 1, raw line breaks in strings and broken UTF-8, and does not say where keys stand.
 #pragma once
 
 #include <optional>
@@ -24,7 +24,7 @@ struct TextFault {
 struct Scan {
     std::vector<KeyPlace> keys;
     std::optional<TextFault> fault;  ///< the first
-    std::string bare;                ///< the text with spaces for comments and the byte order mark, every offset the same
+    std::string bare;  ///< the text with spaces for comments and the byte order mark, every offset the same
 };
 /// Goes through strings, numbers, words and comments once.
 Scan scan(std::string_view text);

@@ -1,4 +1,5 @@
-// Any bytes as a graph file, as a pass manifest and as an expression: read and linked, or refused with an InputError.
+// Any bytes as a graph file, as a pass manifest and as an expression: read and linked, or refused with an
+// InputError.
 #include <cstdint>
 #include <cstdlib>
 

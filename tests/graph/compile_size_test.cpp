@@ -11,15 +11,14 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 
 Extent extentOf(std::string_view node, std::string_view nodes) {
-    const std::string graph =
-        R"({"parameters": {"n": {"value": 100}}, "nodes": {)" + std::string(nodes) + R"(}, "outputs": {"color": ")" +
-        std::string(node) + R"(.color"}})";
+    const std::string graph = R"({"parameters": {"n": {"value": 100}}, "nodes": {)" + std::string(nodes) +
+                              R"(}, "outputs": {"color": ")" + std::string(node) + R"(.color"}})";
     return resourceNamed(planOf(graph), std::string(node) + ".color").extent;
 }
 
 std::string faultOfShape(const std::string& members) {
-    const auto faults =
-        faultsOf(R"({"nodes": {"s": {"pass": "shape", )" + members + R"(}}, "outputs": {"color": "s.color"}})");
+    const auto faults = faultsOf(R"({"nodes": {"s": {"pass": "shape", )" + members +
+                                 R"(}}, "outputs": {"color": "s.color"}})");
     return faults.size() == 1 ? faults[0] : std::to_string(faults.size()) + " faults";
 }
 
@@ -28,22 +27,32 @@ TEST(CompileSize, WithoutARuleOrAnInputItIsTheViews) {
 }
 
 TEST(CompileSize, WithoutARuleItIsTheFirstConnectedInputs) {
-    EXPECT_EQ(extentOf("b", R"("a": {"pass": "source", "size": [30, 20]}, "b": {"pass": "filter", "in": {"a": "a.color"}})"),
-              (Extent{30, 20}));
+    EXPECT_EQ(
+        extentOf(
+            "b",
+            R"("a": {"pass": "source", "size": [30, 20]}, "b": {"pass": "filter", "in": {"a": "a.color"}})"),
+        (Extent{30, 20}));
     // "like": "b" with nothing connected to b.
-    EXPECT_EQ(extentOf("s", R"("a": {"pass": "source", "size": [30, 20]}, "s": {"pass": "second-size", "in": {"a": "a.color"}})"),
-              (Extent{30, 20}));
+    EXPECT_EQ(
+        extentOf(
+            "s",
+            R"("a": {"pass": "source", "size": [30, 20]}, "s": {"pass": "second-size", "in": {"a": "a.color"}})"),
+        (Extent{30, 20}));
 }
 
 TEST(CompileSize, TheManifestsLikeNamesAnInput) {
-    EXPECT_EQ(extentOf("s", R"("a": {"pass": "source", "size": [30, 20]}, "b": {"pass": "source", "size": [7, 9]},
+    EXPECT_EQ(
+        extentOf("s", R"("a": {"pass": "source", "size": [30, 20]}, "b": {"pass": "source", "size": [7, 9]},
                                "s": {"pass": "second-size", "in": {"a": "a.color", "b": "b.color"}})"),
-              (Extent{7, 9}));
+        (Extent{7, 9}));
 }
 
 TEST(CompileSize, TheNodesLikeNamesAPortOfAnyNodeEvenACulledOne) {
-    EXPECT_EQ(extentOf("a", R"("a": {"pass": "source", "size": {"like": "z.color"}}, "z": {"pass": "source", "size": [5, 6]})"),
-              (Extent{5, 6}));
+    EXPECT_EQ(
+        extentOf(
+            "a",
+            R"("a": {"pass": "source", "size": {"like": "z.color"}}, "z": {"pass": "source", "size": [5, 6]})"),
+        (Extent{5, 6}));
 }
 
 TEST(CompileSize, NumbersMayBeGraphParametersAndZeroIsTheViews) {
@@ -68,7 +77,8 @@ TEST(CompileSize, MipsZeroIsTheFullChainAndMoreThanThatIsCut) {
 }
 
 TEST(CompileSize, BytesCountEveryLevelAndLayer) {
-    const Plan plan = planOf(R"({"nodes": {"s": {"pass": "shape", "size": [5, 3], "set": {"mips": 0, "layers": 4},
+    const Plan plan =
+        planOf(R"({"nodes": {"s": {"pass": "shape", "size": [5, 3], "set": {"mips": 0, "layers": 4},
         "format": {"color": "rgba32f"}}}, "outputs": {"color": "s.color"}})");
     const Resource& image = resourceNamed(plan, "s.color");
     EXPECT_EQ(image.mips, 3U);
@@ -78,7 +88,8 @@ TEST(CompileSize, BytesCountEveryLevelAndLayer) {
 TEST(CompileSize, BuffersHaveAStd430StrideAndMayBeEmpty) {
     const auto graph = [](const std::string& count) {
         return R"({"nodes": {"a": {"pass": "source"}, "m": {"pass": "measure", "in": {"a": "a.color"}, "set": {"count": )" +
-               count + R"(}}, "s": {"pass": "summary", "in": {"sums": "m.sums"}}}, "outputs": {"color": "s.color"}})";
+               count +
+               R"(}}, "s": {"pass": "summary", "in": {"sums": "m.sums"}}}, "outputs": {"color": "s.color"}})";
     };
     const Plan plan = planOf(graph("10"));
     const Resource& sums = resourceNamed(plan, "m.sums");
@@ -97,13 +108,15 @@ TEST(CompileSize, BuffersHaveAStd430StrideAndMayBeEmpty) {
 
 TEST(CompileSize, NegativeAbsurdAndUndefinedSizesAreRefusedWhereTheyAreWritten) {
     EXPECT_THAT(faultOfShape(R"("size": [-4, 8])"), HasSubstr("g.json:1:"));
-    EXPECT_THAT(faultsOf(R"({"parameters": {"n": {"value": -4}}, "nodes": {"s": {"pass": "draw", "size": ["$n", 8]}},
+    EXPECT_THAT(
+        faultsOf(R"({"parameters": {"n": {"value": -4}}, "nodes": {"s": {"pass": "draw", "size": ["$n", 8]}},
                              "outputs": {"color": "s.color"}})"),
-                ElementsAre(HasSubstr("s.color: size -4 x 8, expected 1 to 16384 each way")));
-    EXPECT_THAT(faultOfShape(R"("size": ["1e9", 8])"), HasSubstr("size 1000000000 x 8"));
-    EXPECT_THAT(faultOfShape(R"("size": ["0.2", 8])"), HasSubstr("size 0.2 x 8"));
+        ElementsAre(HasSubstr("s.color: size -4 x 8, expected 1 to 16384 each way")));
+    EXPECT_THAT(faultOfShape(R"("size": ["1e9 * scene.pointLights", 8])"), HasSubstr("size 1000000000 x 8"));
+    EXPECT_THAT(faultOfShape(R"("size": ["0.2 * scene.pointLights", 8])"), HasSubstr("size 0.2 x 8"));
     EXPECT_THAT(faultOfShape(R"("size": ["scene.animated / scene.animated", 8])"), HasSubstr("nan x 8"));
-    EXPECT_THAT(faultOfShape(R"("size": {"scale": "scene.animated"})"), HasSubstr("scale 0, expected more than 0"));
+    EXPECT_THAT(faultOfShape(R"("size": {"scale": "scene.animated"})"),
+                HasSubstr("scale 0, expected more than 0"));
     EXPECT_THAT(faultOfShape(R"("set": {"scale": -1})"), HasSubstr("p.json:"));
 }
 
@@ -113,9 +126,11 @@ TEST(CompileSize, LayersAndMipsOutsideTheDevicesLimitsAreRefused) {
     EXPECT_THAT(faultOfShape(R"("set": {"mips": -1})"), HasSubstr("-1 mip levels"));
     CompileRequest manyViews = request();
     manyViews.facts.lightViews = 2049;
-    EXPECT_THAT(faultsOf(R"({"nodes": {"s": {"pass": "source", "forEach": "lights"}}, "outputs": {"color": "s.color"}})",
-                         manyViews),
-                ElementsAre(HasSubstr("2049 light views of 1 layers each make 2049 layers, expected at most 2048")));
+    EXPECT_THAT(
+        faultsOf(
+            R"({"nodes": {"s": {"pass": "source", "forEach": "lights"}}, "outputs": {"color": "s.color"}})",
+            manyViews),
+        ElementsAre(HasSubstr("2049 light views of 1 layers each make 2049 layers, expected at most 2048")));
 }
 
 TEST(CompileSize, AViewOutsideTheDevicesLimitsIsRefused) {
@@ -139,7 +154,8 @@ TEST(CompileSize, ABillionBytesAThousandTimesStillAddUp) {
     std::string outputs;
     for (int i = 0; i < 1000; ++i) {
         const std::string name = "n" + std::to_string(i);
-        nodes += "\"" + name + R"(": {"pass": "source", "size": [16384, 16384], "format": {"color": "rgba32f"}},)";
+        nodes +=
+            "\"" + name + R"(": {"pass": "source", "size": [16384, 16384], "format": {"color": "rgba32f"}},)";
         outputs += "\"" + name + "\": \"" + name + ".color\",";
     }
     const Plan plan = planOf(R"({"nodes": {)" + nodes + R"(}, "outputs": {)" + outputs + "}}");
@@ -148,7 +164,8 @@ TEST(CompileSize, ABillionBytesAThousandTimesStillAddUp) {
 }
 
 TEST(CompileSize, PeakLiveBytesOfAChainAreTwoImages) {
-    const Plan plan = planOf(R"({"nodes": {"a": {"pass": "source"}, "b": {"pass": "filter", "in": {"a": "a.color"}},
+    const Plan plan =
+        planOf(R"({"nodes": {"a": {"pass": "source"}, "b": {"pass": "filter", "in": {"a": "a.color"}},
         "c": {"pass": "filter", "in": {"a": "b.color"}}, "d": {"pass": "filter", "in": {"a": "c.color"}}},
         "outputs": {"color": "d.color"}})");
     EXPECT_EQ(plan.naiveBytes, 4ULL * 640 * 480 * 8);

@@ -59,7 +59,8 @@ TEST(Compile, ADeadChainIsCulledWhole) {
         "second": {"pass": "filter", "in": {"a": "first.color"}}, "third": {"pass": "filter", "in": {"a": "second.color"}}},
         "outputs": {"color": "live.color"}})");
     EXPECT_THAT(passNames(plan), ElementsAre("live"));
-    for (const auto* node : {"first", "second", "third"}) EXPECT_EQ(stateOf(plan, node), NodeState::Culled) << node;
+    for (const auto* node : {"first", "second", "third"})
+        EXPECT_EQ(stateOf(plan, node), NodeState::Culled) << node;
     EXPECT_EQ(whyOf(plan, "third"), "nothing reads it and none of its outputs is requested");
     EXPECT_EQ(whyOf(plan, "second"), "nothing that runs reads it: \"third\" is culled");
     EXPECT_EQ(plan.resources.size(), 1U);
@@ -75,7 +76,8 @@ TEST(Compile, ADeadReaderDoesNotKeepItsSourceNorDelayIt) {
 }
 
 TEST(Compile, AnUnreadSecondOutputIsWrittenButLivesForItsPassOnly) {
-    const Plan plan = planOf(R"({"nodes": {"p": {"pass": "pair"}, "f": {"pass": "filter", "in": {"a": "p.first"}}},
+    const Plan plan =
+        planOf(R"({"nodes": {"p": {"pass": "pair"}, "f": {"pass": "filter", "in": {"a": "p.first"}}},
         "outputs": {"color": "f.color"}})");
     const Resource& second = resourceNamed(plan, "p.second");
     EXPECT_EQ(second.first, 0U);
@@ -85,7 +87,8 @@ TEST(Compile, AnUnreadSecondOutputIsWrittenButLivesForItsPassOnly) {
 }
 
 TEST(Compile, ADumpKeepsANodeThatNothingElseNeeds) {
-    const auto* graph = R"({"nodes": {"a": {"pass": "source"}, "b": {"pass": "source"}}, "outputs": {"color": "a.color"}})";
+    const auto* graph =
+        R"({"nodes": {"a": {"pass": "source"}, "b": {"pass": "source"}}, "outputs": {"color": "a.color"}})";
     EXPECT_EQ(stateOf(planOf(graph), "b"), NodeState::Culled);
     const Plan plan = planOf(graph, withDump("b", "color"));
     EXPECT_EQ(stateOf(plan, "b"), NodeState::Run);
@@ -95,8 +98,9 @@ TEST(Compile, ADumpKeepsANodeThatNothingElseNeeds) {
 }
 
 TEST(Compile, ADumpOfAnOutputSharesItsResource) {
-    const Plan plan = planOf(R"({"nodes": {"a": {"pass": "source"}}, "outputs": {"color": "a.color", "same": "a.color"}})",
-                             withDump("a", "color"));
+    const Plan plan =
+        planOf(R"({"nodes": {"a": {"pass": "source"}}, "outputs": {"color": "a.color", "same": "a.color"}})",
+               withDump("a", "color"));
     EXPECT_EQ(plan.resources.size(), 1U);
     ASSERT_EQ(plan.requested.size(), 3U);
     for (const RequestedOutput& output : plan.requested) EXPECT_EQ(output.resource, 0U);
@@ -104,9 +108,12 @@ TEST(Compile, ADumpOfAnOutputSharesItsResource) {
 }
 
 TEST(Compile, AnUnknownDumpIsRefusedWithASuggestion) {
-    const auto* graph = R"({"nodes": {"gbuffer": {"pass": "source"}}, "outputs": {"color": "gbuffer.color"}})";
-    EXPECT_THAT(faultsOf(graph, withDump("gbufer", "color")), ElementsAre(HasSubstr("did you mean \"gbuffer\"")));
-    EXPECT_THAT(faultsOf(graph, withDump("gbuffer", "colour")), ElementsAre(HasSubstr("did you mean \"color\"")));
+    const auto* graph =
+        R"({"nodes": {"gbuffer": {"pass": "source"}}, "outputs": {"color": "gbuffer.color"}})";
+    EXPECT_THAT(faultsOf(graph, withDump("gbufer", "color")),
+                ElementsAre(HasSubstr("did you mean \"gbuffer\"")));
+    EXPECT_THAT(faultsOf(graph, withDump("gbuffer", "colour")),
+                ElementsAre(HasSubstr("did you mean \"color\"")));
 }
 
 TEST(Compile, WhenSwitchesANodeOffAndItsReadersGetItsNeutralValue) {
@@ -142,7 +149,8 @@ TEST(Compile, AnInputWhoseNeededWhenIsFalseIsNotReadAndItsSourceIsSkipped) {
         "c": {"pass": "blend", "in": {"a": "a.color", "b": "s.color"}, "set": {"useB": false}}},
         "outputs": {"color": "c.color"}})");
     EXPECT_EQ(stateOf(plan, "s"), NodeState::Skipped);
-    EXPECT_EQ(whyOf(plan, "s"), "no reader needs it: \"c\" needs its input \"b\" only when \"params.useB\", which is false");
+    EXPECT_EQ(whyOf(plan, "s"),
+              "no reader needs it: \"c\" needs its input \"b\" only when \"params.useB\", which is false");
     EXPECT_EQ(inputOf(plan, "c", "b").resource, noIndex);
     EXPECT_THAT(inputOf(plan, "c", "b").neutral, ElementsAre(5, 6, 7, 8));
     EXPECT_EQ(plan.resources[inputOf(plan, "c", "a").resource].node, nodeNamed(plan, "a"));
@@ -158,7 +166,8 @@ TEST(Compile, AnUnneededInputStaysUnreadWhenAnotherReaderKeepsItsSource) {
 }
 
 TEST(Compile, AnUnconnectedInputReadsItsOwnNeutralValue) {
-    const Plan plan = planOf(R"({"nodes": {"a": {"pass": "source"}, "c": {"pass": "blend", "in": {"a": "a.color"}}},
+    const Plan plan =
+        planOf(R"({"nodes": {"a": {"pass": "source"}, "c": {"pass": "blend", "in": {"a": "a.color"}}},
         "outputs": {"color": "c.color"}})");
     EXPECT_EQ(inputOf(plan, "c", "b").resource, noIndex);
     EXPECT_THAT(inputOf(plan, "c", "b").neutral, ElementsAre(5, 6, 7, 8));
@@ -181,9 +190,10 @@ TEST(Compile, NoSkipRunsWhatConditionsWouldSkipExceptTheAuthorsWhen) {
 }
 
 TEST(Compile, ARequestedOutputOfASkippedNodeIsOnlyCleared) {
-    const Plan plan = planOf(R"({"nodes": {"a": {"pass": "source"}, "t": {"pass": "translucent", "in": {"a": "a.color"}},
+    const Plan plan =
+        planOf(R"({"nodes": {"a": {"pass": "source"}, "t": {"pass": "translucent", "in": {"a": "a.color"}},
         "c": {"pass": "blend", "in": {"a": "t.color", "b": "t.color"}}}, "outputs": {"color": "t.color", "all": "c.color"}})",
-                             opaqueScene());
+               opaqueScene());
     EXPECT_EQ(stateOf(plan, "t"), NodeState::Skipped);
     EXPECT_EQ(stateOf(plan, "a"), NodeState::Culled);
     EXPECT_THAT(passNames(plan), ElementsAre("c", "t"));

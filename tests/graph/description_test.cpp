@@ -12,7 +12,9 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-GraphDescription read(std::string_view text) { return readGraph(json::parse(std::string(text), "g.json")); }
+GraphDescription read(std::string_view text) {
+    return readGraph(json::parse(std::string(text), "g.json"));
+}
 
 constexpr std::string_view example = R"({ "name": "example", "doc": "for the tests", // a comment
   "parameters": { "weights": {"value": [0.3, 0.7], "doc": "lambda"}, "lightSize": {"value": 512, "range": [1, 4096]},
@@ -94,7 +96,8 @@ std::string node(const std::string& keys) {
     return "{\"nodes\": {\n  \"a\": {\"pass\": \"p\", " + keys + "}},\n \"outputs\": {\"c\": \"a.c\"}}";
 }
 std::string graphParameter(const std::string& value) {
-    return R"({"parameters": {"x": )" + value + R"(}, "nodes": {"a": {"pass": "p"}}, "outputs": {"c": "a.c"}})";
+    return R"({"parameters": {"x": )" + value +
+           R"(}, "nodes": {"a": {"pass": "p"}}, "outputs": {"c": "a.c"}})";
 }
 const std::string sizeMessage = "a side of an image is an integer from 0 to 1000000, found ";
 
@@ -109,37 +112,54 @@ INSTANTIATE_TEST_SUITE_P(
               "a graph without outputs computes nothing, expected at least one \"name\": \"node.port\""},
         Fault{"UnknownKey", R"({"nodes": {"a": {"pass": "p"}}, "outputs": {"c": "a.c"}, @"paramters": {}})",
               "unknown key \"paramters\" in a graph, did you mean \"parameters\"?"},
-        Fault{"DuplicateNode", R"({"nodes": {"a": {"pass": "p"}, @"a": {"pass": "q"}}, "outputs": {"c": "a.c"}})",
+        Fault{"DuplicateNode",
+              R"({"nodes": {"a": {"pass": "p"}, @"a": {"pass": "q"}}, "outputs": {"c": "a.c"}})",
               "duplicate key \"a\", this object already has it"},
-        Fault{"NodesArray", R"({"nodes": @[1], "outputs": {"c": "a.c"}})", "expected an object of nodes, found an array of 1"},
+        Fault{"NodesArray", R"({"nodes": @[1], "outputs": {"c": "a.c"}})",
+              "expected an object of nodes, found an array of 1"},
         Fault{"NodeName", R"({"nodes": {@"a b": {"pass": "p"}}, "outputs": {"c": "a.c"}})",
               "a node cannot be called \"a b\": expected letters, digits, - and _, no digit first"},
         Fault{"NodeNoObject", R"({"nodes": {"a": @"p"}, "outputs": {"c": "a.c"}})",
               "expected a node (an object), found the string \"p\""},
-        Fault{"NodeWithoutPass", R"({"nodes": {"a": @{}}, "outputs": {"c": "a.c"}})", "a node needs \"pass\""},
-        Fault{"UnknownNodeKey", node(R"(@"forEahc": "lights")"), "unknown key \"forEahc\" in a node, did you mean \"forEach\"?"},
-        Fault{"UnknownView", node(R"("view": @"ligth")"), "expected \"camera\" or \"light\", found \"ligth\", did you mean \"light\"?"},
-        Fault{"UnknownForEach", node(R"("forEach": @"light")"), "expected \"lights\", found \"light\", did you mean \"lights\"?"},
-        Fault{"LightViewOnce", node(R"("view": @"light")"), "a node with the view \"light\" needs \"forEach\": \"lights\""},
+        Fault{"NodeWithoutPass", R"({"nodes": {"a": @{}}, "outputs": {"c": "a.c"}})",
+              "a node needs \"pass\""},
+        Fault{"UnknownNodeKey", node(R"(@"forEahc": "lights")"),
+              "unknown key \"forEahc\" in a node, did you mean \"forEach\"?"},
+        Fault{"UnknownView", node(R"("view": @"ligth")"),
+              "expected \"camera\" or \"light\", found \"ligth\", did you mean \"light\"?"},
+        Fault{"UnknownForEach", node(R"("forEach": @"light")"),
+              "expected \"lights\", found \"light\", did you mean \"lights\"?"},
+        Fault{"LightViewOnce", node(R"("view": @"light")"),
+              "a node with the view \"light\" needs \"forEach\": \"lights\""},
         Fault{"InputNoString", node(R"("in": {"x": @3})"), "expected a \"node.port\", found the number 3"},
         Fault{"InputWithoutPort", node(R"("in": {"x": @"b"})"), "expected a \"node.port\", found \"b\""},
-        Fault{"InputThreeParts", node(R"("in": {"x": @"b.c.d"})"), "expected a \"node.port\", found \"b.c.d\""},
-        Fault{"InputPrevious", node(R"-("in": {"x": @"previous(b.c)"})-"), "expected a \"node.port\", found \"previous(b.c)\""},
+        Fault{"InputThreeParts", node(R"("in": {"x": @"b.c.d"})"),
+              "expected a \"node.port\", found \"b.c.d\""},
+        Fault{"InputPrevious", node(R"-("in": {"x": @"previous(b.c)"})-"),
+              "expected a \"node.port\", found \"previous(b.c)\""},
         Fault{"InputsArray", node(R"("in": @["b.c"])"), "expected an object of inputs, found an array of 1"},
         Fault{"SetNumber", node(R"("set": @1)"), "expected an object of parameters, found the number 1"},
-        Fault{"UnknownFormat", node(R"("format": {"c": @"rgba33f"})"), "unknown pixel format \"rgba33f\", did you mean \"rgba32f\"?"},
+        Fault{"UnknownFormat", node(R"("format": {"c": @"rgba33f"})"),
+              "unknown pixel format \"rgba33f\", did you mean \"rgba32f\"?"},
         Fault{"NegativeSize", node(R"("size": [@-1, 5])"), sizeMessage + "-1"},
         Fault{"AbsurdSize", node(R"("size": [5, @1000001])"), sizeMessage + "1000001"},
         Fault{"FractionalSize", node(R"("size": [@0.5, 5])"), sizeMessage + "0.5"},
         Fault{"InfiniteSize", node(R"("size": [@"1 / 0", 5])"), sizeMessage + "inf"},
-        Fault{"NegativeScale", node(R"("size": {"scale": @-0.5})"), "a scale of the view is above 0 and at most 1000, found -0.5"},
+        Fault{"NegativeScale", node(R"("size": {"scale": @-0.5})"),
+              "a scale of the view is above 0 and at most 1000, found -0.5"},
         Fault{"LikeWithoutPort", node(R"("size": {"like": @"b"})"), "expected a \"node.port\", found \"b\""},
-        Fault{"UnknownSizeKey", node(R"("size": {"scale": 1, @"likes": 2})"), "unknown key \"likes\" in a size, did you mean \"like\"?"},
-        Fault{"WhenColumn", node(R"("when": "1 +@")"), "expected a number, a name or \"(\", found the end of the expression"},
-        Fault{"WhenArray", node(R"("when": @[])"), "expected a number or an expression, found an empty array"},
-        Fault{"ParameterName", R"({"parameters": {@"a-b": {"value": 1}}, "nodes": {"a": {"pass": "p"}}, "outputs": {"c": "a.c"}})",
-              "a graph parameter cannot be called \"a-b\": expected letters, digits and _, no digit first"},
-        Fault{"ParameterNumber", graphParameter("@12"), "expected a graph parameter (an object), found the number 12"},
+        Fault{"UnknownSizeKey", node(R"("size": {"scale": 1, @"likes": 2})"),
+              "unknown key \"likes\" in a size, did you mean \"like\"?"},
+        Fault{"WhenColumn", node(R"("when": "1 +@")"),
+              "expected a number, a name or \"(\", found the end of the expression"},
+        Fault{"WhenArray", node(R"("when": @[])"),
+              "expected a number or an expression, found an empty array"},
+        Fault{
+            "ParameterName",
+            R"({"parameters": {@"a-b": {"value": 1}}, "nodes": {"a": {"pass": "p"}}, "outputs": {"c": "a.c"}})",
+            "a graph parameter cannot be called \"a-b\": expected letters, digits and _, no digit first"},
+        Fault{"ParameterNumber", graphParameter("@12"),
+              "expected a graph parameter (an object), found the number 12"},
         Fault{"ParameterNoValue", graphParameter(R"(@{"doc": ""})"), "a graph parameter needs \"value\""},
         Fault{"ParameterString", graphParameter(R"({"value": @"x"})"),
               "expected a boolean, a number or an array of numbers, found the string \"x\""},
@@ -151,10 +171,12 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(Description, EveryFaultIsNamedAtOnce) {
     const auto faults = tests::faultsOf([] {
-        read("{\"nodes\": {\n \"1a\": {\"pass\": 3},\n \"b\": {\"pass\": \"p\", \"whne\": true}},\n \"outputs\": {\"c\": \"x\"}}");
+        read(
+            "{\"nodes\": {\n \"1a\": {\"pass\": 3},\n \"b\": {\"pass\": \"p\", \"whne\": true}},\n "
+            "\"outputs\": {\"c\": \"x\"}}");
     });
-    EXPECT_THAT(faults, ElementsAre(HasSubstr("g.json:2:2: "), HasSubstr("g.json:2:17: "), HasSubstr("g.json:3:21: "),
-                                    HasSubstr("g.json:4:19: ")));
+    EXPECT_THAT(faults, ElementsAre(HasSubstr("g.json:2:2: "), HasSubstr("g.json:2:17: "),
+                                    HasSubstr("g.json:3:21: "), HasSubstr("g.json:4:19: ")));
 }
 
 TEST(Description, FileThatCannotBeRead) {

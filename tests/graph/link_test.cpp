@@ -11,10 +11,10 @@
 namespace nephrite::graph {
 namespace {
 
-using testing::ElementsAre;
-using testing::HasSubstr;
 using nephrite::tests::faultsOf;
 using nephrite::tests::unmarked;
+using testing::ElementsAre;
+using testing::HasSubstr;
 
 TEST(Link, PortsBecomeIndices) {
     const auto graph = tests::linked(R"({"nodes": {
@@ -67,13 +67,18 @@ TEST(Link, BuffersAndIntegerImagesConnectToTheirKind) {
 }
 
 TEST(Link, FindNamesAPort) {
-    const auto graph = tests::linked(R"({"nodes": {"s": {"pass": "counters"}}, "outputs": {"color": "s.count"}})");
+    const auto graph =
+        tests::linked(R"({"nodes": {"s": {"pass": "counters"}}, "outputs": {"color": "s.count"}})");
     const LinkedOutput found = graph->find({"s", "samples", {}});
     EXPECT_EQ(found.name, "s.samples");
     EXPECT_EQ(found.port, 1U);
-    EXPECT_THAT(faultsOf([&] { graph->find({"x", "samples", {"--dump", 0, 0}}); }),
+    EXPECT_THAT(faultsOf([&] {
+                    graph->find({"x", "samples", {"--dump", 0, 0}});
+                }),
                 ElementsAre("--dump: error: unknown node \"x\", did you mean \"s\"?"));
-    EXPECT_THAT(faultsOf([&] { graph->find({"s", "smaples", {"--dump", 0, 0}}); }),
+    EXPECT_THAT(faultsOf([&] {
+                    graph->find({"s", "smaples", {"--dump", 0, 0}});
+                }),
                 ElementsAre("--dump: error: \"s\" has no output \"smaples\", did you mean \"samples\"?"));
 }
 
@@ -91,16 +96,20 @@ TEST_P(LinkFault, IsNamedAtItsPlace) {
 
 /// A graph of a source "s", counters "c" and what is given; its output is s.color.
 std::string with(const std::string& nodes) {
-    return "{\"parameters\": {\"w\": {\"value\": [1, 2]}, \"n\": {\"value\": 500}, \"on\": {\"value\": true}},\n"
+    return "{\"parameters\": {\"w\": {\"value\": [1, 2]}, \"n\": {\"value\": 500}, \"on\": {\"value\": "
+           "true}},\n"
            " \"nodes\": {\"s\": {\"pass\": \"source\"}, \"c\": {\"pass\": \"counters\"},\n  " +
            nodes + "},\n \"outputs\": {\"color\": \"s.color\"}}";
 }
-std::string blend(const std::string& keys) { return with(R"("b": {"pass": "blend", "in": {"a": "s.color"}, )" + keys + "}"); }
+std::string blend(const std::string& keys) {
+    return with(R"("b": {"pass": "blend", "in": {"a": "s.color"}, )" + keys + "}");
+}
 
 INSTANTIATE_TEST_SUITE_P(
     Connections, LinkFault,
     testing::Values(
-        Fault{"UnknownPass", with(R"("b": {"pass": @"blnd", "in": {"a": "s.color"}})"), "unknown pass \"blnd\", did you mean \"blend\"?"},
+        Fault{"UnknownPass", with(R"("b": {"pass": @"blnd", "in": {"a": "s.color"}})"),
+              "unknown pass \"blnd\", did you mean \"blend\"?"},
         Fault{"UnknownPassFarAway", with(R"("b": {"pass": @"zebra"})"), "unknown pass \"zebra\""},
         Fault{"UnknownNode", with(R"("node": {"pass": "blend", "in": {"a": @"nod.color"}})"),
               "unknown node \"nod\", did you mean \"node\"?"},
@@ -120,7 +129,8 @@ INSTANTIATE_TEST_SUITE_P(
               "\"a\" expects an image of floats, but c.count is an image of unsigned integers (r32u)"},
         Fault{"FloatsForIntegers", with(R"("b": {"pass": "readers", "in": {"count": @"s.color"}})"),
               "\"count\" expects an image of unsigned integers (r32u), but s.color is an image of floats"},
-        Fault{"UnknownOutputNode", R"({"nodes": {"s": {"pass": "source"}}, "outputs": {"color": @"t.color"}})",
+        Fault{"UnknownOutputNode",
+              R"({"nodes": {"s": {"pass": "source"}}, "outputs": {"color": @"t.color"}})",
               "unknown node \"t\", did you mean \"s\"?"},
         Fault{"UnknownFormatPort", blend(R"("format": {@"colour": "r32f"})"),
               "the pass \"blend\" has no output \"colour\", did you mean \"color\"?"},
@@ -130,26 +140,32 @@ INSTANTIATE_TEST_SUITE_P(
               "\"color\" has the format rgba16f, which cannot be changed to d32f"},
         Fault{"FormatOfBuffer", with(R"("d": {"pass": "counters", "format": {@"samples": "rgba32f"}})"),
               "\"samples\" is a buffer and has no pixel format"},
-        Fault{"LikeUnknown", blend(R"("size": {"like": @"q.color"})"), "unknown node \"q\", did you mean \"s\"?"},
-        Fault{"LikeBuffer", blend(R"("size": {"like": @"c.samples"})"), "\"c.samples\" is a buffer and has no size in pixels"}),
+        Fault{"LikeUnknown", blend(R"("size": {"like": @"q.color"})"),
+              "unknown node \"q\", did you mean \"s\"?"},
+        Fault{"LikeBuffer", blend(R"("size": {"like": @"c.samples"})"),
+              "\"c.samples\" is a buffer and has no size in pixels"}),
     [](const auto& test) { return test.param.name; });
 
 INSTANTIATE_TEST_SUITE_P(
     Values, LinkFault,
     testing::Values(
-        Fault{"UnknownParameter", blend(R"("set": {@"tasp": 3})"), "the pass \"blend\" has no parameter \"tasp\", did you mean \"taps\"?"},
+        Fault{"UnknownParameter", blend(R"("set": {@"tasp": 3})"),
+              "the pass \"blend\" has no parameter \"tasp\", did you mean \"taps\"?"},
         Fault{"UnknownParameterByName", blend(R"("set": {"tasp": @"$n"})"),
               "the pass \"blend\" has no parameter \"tasp\", did you mean \"taps\"?"},
         Fault{"StringForUint", blend(R"("set": {"taps": @"12"})"),
               "taps has type uint: expected an integer that is not negative, found the string \"12\""},
         Fault{"FractionForUint", blend(R"("set": {"taps": @2.5})"), "taps (uint) is an integer, found 2.5"},
-        Fault{"OutOfRange", blend(R"("set": {"taps": @257})"), "taps is out of range, expected 1 to 256, found 257"},
-        Fault{"ComponentOutOfRange", blend(R"("set": {"tint": @[0, 1, 2]})"), "tint is out of range, expected 0 to 1, found 2"},
+        Fault{"OutOfRange", blend(R"("set": {"taps": @257})"),
+              "taps is out of range, expected 1 to 256, found 257"},
+        Fault{"ComponentOutOfRange", blend(R"("set": {"tint": @[0, 1, 2]})"),
+              "tint is out of range, expected 0 to 1, found 2"},
         Fault{"ShortArray", blend(R"("set": {"weights": @[1, 2]})"),
               "weights has type float[3]: expected an array of 3 numbers, found an array of 2"},
         Fault{"NumberForBool", blend(R"("set": {"enabled": @1})"),
               "enabled has type bool: expected true or false, found the number 1"},
-        Fault{"UnknownGraphParameter", blend(R"("set": {"taps": @"$m"})"), "the graph has no parameter \"m\", did you mean \"w\"?"},
+        Fault{"UnknownGraphParameter", blend(R"("set": {"taps": @"$m"})"),
+              "the graph has no parameter \"m\", did you mean \"w\"?"},
         Fault{"ShortGraphParameter", blend(R"("set": {"weights": @"$w"})"),
               "weights has type float[3], but the graph parameter \"w\" is an array of 2 numbers"},
         Fault{"GraphBoolForNumber", blend(R"("set": {"offset": @"$on"})"),
@@ -158,13 +174,18 @@ INSTANTIATE_TEST_SUITE_P(
               "enabled has type bool, but the graph parameter \"n\" is a number"},
         Fault{"GraphParameterOutOfRange", blend(R"("set": {"taps": @"$n"})"),
               "taps is out of range, expected 1 to 256, found 500 in the graph parameter \"n\""},
-        Fault{"WhenUnknownFact", blend(R"("when": "1 < @scene.objcets")"), "unknown scene fact \"objcets\", did you mean \"objects\"?"},
-        Fault{"WhenUnknownGraphParameter", blend(R"("when": "@graph.onn")"), "the graph has no parameter \"onn\", did you mean \"on\"?"},
+        Fault{"WhenUnknownFact", blend(R"("when": "1 < @scene.objcets")"),
+              "unknown scene fact \"objcets\", did you mean \"objects\"?"},
+        Fault{"WhenUnknownGraphParameter", blend(R"("when": "@graph.onn")"),
+              "the graph has no parameter \"onn\", did you mean \"on\"?"},
         Fault{"WhenArrayParameter", blend(R"("when": "@graph.w > 0")"),
               "an expression needs a number, but the graph parameter \"w\" is an array of 2 numbers"},
-        Fault{"WhenUnknownParameter", blend(R"("when": "@params.tap")"), "unknown parameter \"tap\", did you mean \"taps\"?"},
-        Fault{"WhenUnknownInput", blend(R"("when": "!@inputs.c.neutral")"), "unknown input \"c\", did you mean \"a\"?"},
-        Fault{"SizeUnknownGraphParameter", blend(R"("size": [16, "2 * @$m"])"), "the graph has no parameter \"m\", did you mean \"w\"?"},
+        Fault{"WhenUnknownParameter", blend(R"("when": "@params.tap")"),
+              "unknown parameter \"tap\", did you mean \"taps\"?"},
+        Fault{"WhenUnknownInput", blend(R"("when": "!@inputs.c.neutral")"),
+              "unknown input \"c\", did you mean \"a\"?"},
+        Fault{"SizeUnknownGraphParameter", blend(R"("size": [16, "2 * @$m"])"),
+              "the graph has no parameter \"m\", did you mean \"w\"?"},
         Fault{"SizeNeutral", blend(R"("size": {"scale": "@inputs.a.neutral"})"),
               "inputs.PORT.neutral can be used in conditions only, not in sizes and counts"}),
     [](const auto& test) { return test.param.name; });
@@ -172,31 +193,41 @@ INSTANTIATE_TEST_SUITE_P(
 INSTANTIATE_TEST_SUITE_P(
     Cycles, LinkFault,
     testing::Values(
-        Fault{"Three", with("\"a\": {\"pass\": \"blend\", \"in\": {\"a\": @\"d.color\"}},\n"
-                            "\"b\": {\"pass\": \"blend\", \"in\": {\"a\": \"a.color\"}},\n"
-                            "\"d\": {\"pass\": \"blend\", \"in\": {\"a\": \"s.color\", \"b\": \"b.color\"}}"),
+        Fault{"Three",
+              with("\"a\": {\"pass\": \"blend\", \"in\": {\"a\": @\"d.color\"}},\n"
+                   "\"b\": {\"pass\": \"blend\", \"in\": {\"a\": \"a.color\"}},\n"
+                   "\"d\": {\"pass\": \"blend\", \"in\": {\"a\": \"s.color\", \"b\": \"b.color\"}}"),
               "\"a\" needs its own result, the cycle is a -> b -> d -> a"},
-        Fault{"Itself", with(R"("a": {"pass": "blend", "in": {"a": @"a.color"}})"), "\"a\" needs its own result, the cycle is a -> a"},
-        Fault{"BySize", with(R"("a": {"pass": "source", "size": {"like": @"b.color"}}, "b": {"pass": "blend", "in": {"a": "a.color"}})"),
-              "\"a\" needs its own result, the cycle is a -> b -> a"}),
+        Fault{"Itself", with(R"("a": {"pass": "blend", "in": {"a": @"a.color"}})"),
+              "\"a\" needs its own result, the cycle is a -> a"},
+        Fault{
+            "BySize",
+            with(
+                R"("a": {"pass": "source", "size": {"like": @"b.color"}}, "b": {"pass": "blend", "in": {"a": "a.color"}})"),
+            "\"a\" needs its own result, the cycle is a -> b -> a"}),
     [](const auto& test) { return test.param.name; });
 
 TEST(Link, EveryFaultIsNamedAtOnce) {
     const auto faults = faultsOf([] {
-        tests::linked("{\"nodes\": {\n\"a\": {\"pass\": \"blend\", \"in\": {\"a\": \"b.color\"}, \"set\": {\"taps\": 0}},\n"
-                      "\"b\": {\"pass\": \"blend\", \"in\": {\"a\": \"a.color\", \"z\": \"a.color\"}},\n"
-                      "\"c\": {\"pass\": \"nothing\"}}, \"outputs\": {\"color\": \"a.x\"}}");
+        tests::linked(
+            "{\"nodes\": {\n\"a\": {\"pass\": \"blend\", \"in\": {\"a\": \"b.color\"}, \"set\": {\"taps\": "
+            "0}},\n"
+            "\"b\": {\"pass\": \"blend\", \"in\": {\"a\": \"a.color\", \"z\": \"a.color\"}},\n"
+            "\"c\": {\"pass\": \"nothing\"}}, \"outputs\": {\"color\": \"a.x\"}}");
     });
-    EXPECT_THAT(faults, testing::UnorderedElementsAre(
-                            HasSubstr("g.json:2:36: error: \"a\" needs its own result, the cycle is a -> b -> a"),
-                            HasSubstr("g.json:2:64: error: taps is out of range"), HasSubstr("g.json:3:47: error: the pass"),
-                            HasSubstr("g.json:4:15: error: unknown pass"), HasSubstr("g.json:4:49: error: \"a\" (pass")));
+    EXPECT_THAT(
+        faults,
+        testing::UnorderedElementsAre(
+            HasSubstr("g.json:2:36: error: \"a\" needs its own result, the cycle is a -> b -> a"),
+            HasSubstr("g.json:2:64: error: taps is out of range"), HasSubstr("g.json:3:47: error: the pass"),
+            HasSubstr("g.json:4:15: error: unknown pass"), HasSubstr("g.json:4:49: error: \"a\" (pass")));
 }
 
 std::string chain(int length, const std::string& first) {
     std::string text = "{\"nodes\": {\"n0\": {\"pass\": \"blend\", \"in\": {\"a\": \"" + first + "\"}}";
     for (int i = 1; i < length; ++i) {
-        text += ",\n\"n" + std::to_string(i) + "\": {\"pass\": \"blend\", \"in\": {\"a\": \"n" + std::to_string(i - 1) + ".color\"}}";
+        text += ",\n\"n" + std::to_string(i) + "\": {\"pass\": \"blend\", \"in\": {\"a\": \"n" +
+                std::to_string(i - 1) + ".color\"}}";
     }
     return text + ", \"s\": {\"pass\": \"source\"}}, \"outputs\": {\"color\": \"n0.color\"}}";
 }
@@ -213,7 +244,8 @@ TEST(Link, CycleOfHundredThousandNodesIsNamedWhole) {
     const int length = 100000;
     const auto faults = faultsOf([&] { tests::linked(chain(length, "n99999.color")); });
     ASSERT_EQ(faults.size(), 1U);
-    EXPECT_EQ(faults[0].substr(0, 71), "g.json:1:48: error: \"n0\" needs its own result, the cycle is n0 -> n1 ->");
+    EXPECT_EQ(faults[0].substr(0, 71),
+              "g.json:1:48: error: \"n0\" needs its own result, the cycle is n0 -> n1 ->");
     EXPECT_EQ(std::count(faults[0].begin(), faults[0].end(), '>'), 100000);
     EXPECT_EQ(faults[0].substr(faults[0].size() - 15), "-> n99999 -> n0");
 }
@@ -223,7 +255,8 @@ TEST(Link, ManyFaultsTakeNoQuadraticTime) {
     const auto start = std::chrono::steady_clock::now();
     std::string text = "{\"nodes\": {\"s\": {\"pass\": \"source\"}";
     for (int i = 0; i < length; ++i) {
-        text += ",\n\"n" + std::to_string(i) + "\": {\"pass\": \"blend\", \"in\": {\"a\": \"m" + std::to_string(i) + ".color\"}}";
+        text += ",\n\"n" + std::to_string(i) + "\": {\"pass\": \"blend\", \"in\": {\"a\": \"m" +
+                std::to_string(i) + ".color\"}}";
     }
     const auto faults = faultsOf([&] { tests::linked(text + "}, \"outputs\": {\"color\": \"s.color\"}}"); });
     EXPECT_EQ(faults.size(), 30000U);

@@ -14,7 +14,9 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 
 /// A random index below `count`.
-Index below(Index count, std::mt19937& random) { return static_cast<Index>(random() % count); }
+Index below(Index count, std::mt19937& random) {
+    return static_cast<Index>(random() % count);
+}
 
 TEST(NodeOrder, KeepsTheFilesOrderWhereItIsFree) {
     EXPECT_THAT(orderNodes(4, {}).nodes, ElementsAre(0, 1, 2, 3));
@@ -32,7 +34,8 @@ TEST(NodeOrder, RandomGraphsAreOrdered) {
         std::vector<Dependency> dependencies;
         for (Index i = 0; i < 3 * count; ++i) {
             const Index a = below(count, random), b = below(count, random);
-            if (rank[a] != rank[b]) dependencies.push_back(rank[a] < rank[b] ? Dependency{a, b} : Dependency{b, a});
+            if (rank[a] != rank[b])
+                dependencies.push_back(rank[a] < rank[b] ? Dependency{a, b} : Dependency{b, a});
         }
         const NodeOrder order = orderNodes(count, dependencies);
         ASSERT_EQ(order.nodes.size(), count);
@@ -61,14 +64,16 @@ TEST(NodeOrder, EveryNamedCycleIsOne) {
     for (int round = 0; round < 200; ++round) {
         const Index count = 1 + below(30, random);
         std::vector<Dependency> dependencies;
-        for (Index i = 0; i < count; ++i) dependencies.push_back({below(count, random), below(count, random)});
+        for (Index i = 0; i < count; ++i)
+            dependencies.push_back({below(count, random), below(count, random)});
         const NodeOrder order = orderNodes(count, dependencies);
         EXPECT_EQ(order.cycles.empty(), order.nodes.size() == count);
         for (const std::vector<Index>& cycle : order.cycles) {
             for (std::size_t i = 0; i < cycle.size(); ++i) {
                 const Index from = cycle[i], to = cycle[(i + 1) % cycle.size()];
                 const auto is = [&](const Dependency& d) { return d.from == from && d.to == to; };
-                EXPECT_TRUE(std::any_of(dependencies.begin(), dependencies.end(), is)) << from << " -> " << to;
+                EXPECT_TRUE(std::any_of(dependencies.begin(), dependencies.end(), is))
+                    << from << " -> " << to;
             }
         }
     }

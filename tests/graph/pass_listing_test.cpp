@@ -57,8 +57,9 @@ TEST(PassListing, LibraryIsListedByName) {
     library.add(blur());
     library.add(tests::passFrom(R"({"kind": "native", "doc": "First."})", "a"));
     Diagnostics diagnostics;
-    EXPECT_EQ(listPasses(library, diagnostics), "a                        native   First.\n"
-                                                "blur                     pixel    Eq. 3 blurred.\n");
+    EXPECT_EQ(listPasses(library, diagnostics),
+              "a                        native   First.\n"
+              "blur                     pixel    Eq. 3 blurred.\n");
     const json::Value array = json::parse(listPassesAsJson(library, diagnostics), "listing");
     ASSERT_EQ(array.size(), 2U);
     EXPECT_EQ(array.at(1).find("name")->raw().asString(), "blur");

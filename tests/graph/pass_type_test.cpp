@@ -124,9 +124,12 @@ std::string pixel(const std::string& more) {
 }
 std::string output(const std::string& keys) {
     return R"({"kind": "pixel", "shader": "s.glsl", "inputs": {"a": {}, "n": {"buffer": "vec4"}}, "outputs": {"c": {)" +
-           keys + R"(}}, "parameters": {"v": {"type": "vec2", "default": [1, 2]}, "f": {"type": "float", "default": 1}}})";
+           keys +
+           R"(}}, "parameters": {"v": {"type": "vec2", "default": [1, 2]}, "f": {"type": "float", "default": 1}}})";
 }
-std::string parameter(const std::string& keys) { return pixel(R"("parameters": {"x": {)" + keys + "}}"); }
+std::string parameter(const std::string& keys) {
+    return pixel(R"("parameters": {"x": {)" + keys + "}}");
+}
 std::string markedOutput(const std::string& marked) {
     return R"({"kind": "pixel", "shader": "s.glsl", "outputs": {@"c": {)" + marked + "}}}";
 }
@@ -138,20 +141,23 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"NoKind", R"(@{"shader": "s", "outputs": {"c": {}}})", "a pass needs \"kind\""},
         Fault{"UnknownKind", R"({"kind": @"pixle", "shader": "s", "outputs": {"c": {}}})",
               R"(expected "pixel", "compute", "raster" or "native", found "pixle", did you mean "pixel"?)"},
-        Fault{"UnknownKey", pixel(R"(@"paramters": {})"), R"(unknown key "paramters" in a pass, did you mean "parameters"?)"},
+        Fault{"UnknownKey", pixel(R"(@"paramters": {})"),
+              R"(unknown key "paramters" in a pass, did you mean "parameters"?)"},
         Fault{"NoShader", R"(@{"kind": "compute", "outputs": {"c": {}}})", "a compute pass needs \"shader\""},
         Fault{"ShaderOfNative", R"({"kind": "native", @"shader": "s"})", "a native pass has no shader"},
         Fault{"ShaderNoString", R"({"kind": "pixel", "shader": @3, "outputs": {"c": {}}})",
               "expected a shader's file name, found the number 3"},
         Fault{"NoOutput", R"(@{"kind": "pixel", "shader": "s"})", "a pixel pass needs an output"},
         Fault{"RasterInPixel", pixel(R"(@"raster": {})"), "\"raster\" has no meaning in a pixel pass"},
-        Fault{"UnknownCull", R"({"kind": "raster", "shader": "s", "outputs": {"c": {}}, "raster": {"cull": @"bakc"}})",
+        Fault{"UnknownCull",
+              R"({"kind": "raster", "shader": "s", "outputs": {"c": {}}, "raster": {"cull": @"bakc"}})",
               R"(expected "none", "back" or "front", found "bakc", did you mean "back"?)"},
         Fault{"BadSkipWhen", pixel(R"("skipWhen": "scene.objects ==@")"),
               "expected a number, a name or \"(\", found the end of the expression"},
         Fault{"UnknownFact", pixel(R"("skipWhen": "1 > @scene.pointLihgts")"),
               R"(unknown scene fact "pointLihgts", did you mean "pointLights"?)"},
-        Fault{"UnknownParameter", pixel(R"("skipWhen": "!@params.tpas", "parameters": {"taps": {"type": "int", "default": 1}})"),
+        Fault{"UnknownParameter",
+              pixel(R"("skipWhen": "!@params.tpas", "parameters": {"taps": {"type": "int", "default": 1}})"),
               R"(unknown parameter "tpas", did you mean "taps"?)"},
         Fault{"GraphName", pixel(R"("skipWhen": "@graph.taps")"),
               "a manifest knows no graph, found graph.taps, did you mean params.taps?"},
@@ -166,93 +172,126 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Fault{"InputName", pixel(R"("inputs": {@"my-input": {}})"),
               R"(an input cannot be called "my-input": expected letters, digits and _, no digit first)"},
-        Fault{"GlslName", pixel(R"("inputs": {@"gl_x": {}})"),
-              R"(an input cannot be called "gl_x": GLSL keeps names with gl_ at the start or __ inside for itself)"},
-        Fault{"UnderscoreName", pixel(R"("inputs": {@"a__b": {}})"),
-              R"(an input cannot be called "a__b": GLSL keeps names with gl_ at the start or __ inside for itself)"},
-        Fault{"KeywordName", pixel(R"("inputs": {@"float": {}})"), R"(an input cannot be called "float": it is a word of GLSL)"},
+        Fault{
+            "GlslName", pixel(R"("inputs": {@"gl_x": {}})"),
+            R"(an input cannot be called "gl_x": GLSL keeps names with gl_ at the start or __ inside for itself)"},
+        Fault{
+            "UnderscoreName", pixel(R"("inputs": {@"a__b": {}})"),
+            R"(an input cannot be called "a__b": GLSL keeps names with gl_ at the start or __ inside for itself)"},
+        Fault{"KeywordName", pixel(R"("inputs": {@"float": {}})"),
+              R"(an input cannot be called "float": it is a word of GLSL)"},
         Fault{"SameName", R"({"kind": "pixel", "shader": "s", "inputs": {"c": {}}, "outputs": {@"c": {}}})",
               R"("c" is an input too: ports of a pass have different names)"},
-        Fault{"SizeOfInput", pixel(R"("inputs": {"a": {@"size": [1, 1]}})"), R"(unknown key "size" in an input)"},
-        Fault{"OptionalNoBool", pixel(R"("inputs": {"a": {"optional": @1}})"), "expected true or false, found the number 1"},
+        Fault{"SizeOfInput", pixel(R"("inputs": {"a": {@"size": [1, 1]}})"),
+              R"(unknown key "size" in an input)"},
+        Fault{"OptionalNoBool", pixel(R"("inputs": {"a": {"optional": @1}})"),
+              "expected true or false, found the number 1"},
         Fault{"NeutralOfThree", pixel(R"("inputs": {"a": {"neutral": @[1, 1, 1]}})"),
               "expected a neutral value of 4 numbers, found an array of 3"},
-        Fault{"UnknownFormat", output(R"("format": @"rgba16")"), R"(unknown pixel format "rgba16", did you mean "rgba16f"?)"},
+        Fault{"UnknownFormat", output(R"("format": @"rgba16")"),
+              R"(unknown pixel format "rgba16", did you mean "rgba16f"?)"},
         Fault{"UnknownBuffer", pixel(R"("inputs": {"a": {"buffer": @"vec5"}})"),
-              "expected \"float\", \"vec2\", \"vec3\", \"vec4\", \"int\", \"ivec2\", \"ivec3\", \"ivec4\", \"uint\", "
+              "expected \"float\", \"vec2\", \"vec3\", \"vec4\", \"int\", \"ivec2\", \"ivec3\", \"ivec4\", "
+              "\"uint\", "
               "\"uvec2\", \"uvec3\" or \"uvec4\", found \"vec5\", did you mean \"vec2\"?"},
         Fault{"DepthOfPixel", markedOutput(R"("format": "d32f")"),
               "d32f is written by raster passes only, found it in a pixel pass"},
-        Fault{"TwoDepths", R"({"kind": "raster", "shader": "s", "outputs": {"d": {"format": "d32f"}, @"e": {"format": "d32f"}}})",
-              "a raster pass has one output of format d32f at most"},
-        Fault{"BufferOfRaster", R"({"kind": "raster", "shader": "s", "outputs": {@"b": {"buffer": "vec4", "count": 1}}})",
+        Fault{
+            "TwoDepths",
+            R"({"kind": "raster", "shader": "s", "outputs": {"d": {"format": "d32f"}, @"e": {"format": "d32f"}}})",
+            "a raster pass has one output of format d32f at most"},
+        Fault{"BufferOfRaster",
+              R"({"kind": "raster", "shader": "s", "outputs": {@"b": {"buffer": "vec4", "count": 1}}})",
               "a raster pass writes images, it cannot have a buffer as an output"},
         Fault{"BufferWithoutCount", markedOutput(R"("buffer": "vec4")"), "the buffer \"c\" needs \"count\""},
-        Fault{"CountOfImage", output(R"(@"count": 3)"), "\"count\" describes a buffer, but this port is an image"},
+        Fault{"CountOfImage", output(R"(@"count": 3)"),
+              "\"count\" describes a buffer, but this port is an image"},
         Fault{"SizeOfBuffer", output(R"("buffer": "vec4", "count": 3, @"size": [1, 1])"),
               "\"size\" describes an image, but this port is a buffer"},
-        Fault{"NegativeSize", output(R"("size": [@-4, 4])"), "a side of an image is an integer from 0 to 1000000, found -4"},
-        Fault{"AbsurdSize", output(R"("size": [4, @1e9])"), "a side of an image is an integer from 0 to 1000000, found 1000000000"},
-        Fault{"FractionalSize", output(R"("size": [4, @4.5])"), "a side of an image is an integer from 0 to 1000000, found 4.5"},
+        Fault{"NegativeSize", output(R"("size": [@-4, 4])"),
+              "a side of an image is an integer from 0 to 1000000, found -4"},
+        Fault{"AbsurdSize", output(R"("size": [4, @1e9])"),
+              "a side of an image is an integer from 0 to 1000000, found 1000000000"},
+        Fault{"FractionalSize", output(R"("size": [4, @4.5])"),
+              "a side of an image is an integer from 0 to 1000000, found 4.5"},
         Fault{"NegativeExpression", output(R"("size": [4, @"2 - 3"])"),
               "a side of an image is an integer from 0 to 1000000, found -1"},
-        Fault{"ThreeSides", output(R"("size": @[1, 2, 3])"), "expected a size [width, height], found an array of 3"},
+        Fault{"ThreeSides", output(R"("size": @[1, 2, 3])"),
+              "expected a size [width, height], found an array of 3"},
         Fault{"SizeNumber", output(R"("size": @3)"),
-              "expected a size: [width, height], {\"scale\": factor of the view} or {\"like\": port}, found the number 3"},
-        Fault{"ScaleZero", output(R"("size": {"scale": @0})"), "a scale of the view is above 0 and at most 1000, found 0"},
+              "expected a size: [width, height], {\"scale\": factor of the view} or {\"like\": port}, found "
+              "the number 3"},
+        Fault{"ScaleZero", output(R"("size": {"scale": @0})"),
+              "a scale of the view is above 0 and at most 1000, found 0"},
         Fault{"LikeUnknown", output(R"("size": {"like": @"b"})"), R"(unknown input "b", did you mean "a"?)"},
-        Fault{"LikeBuffer", output(R"("size": {"like": @"n"})"), "\"n\" is a buffer and has no size in pixels"},
-        Fault{"NoLayers", output(R"("layers": @0)"), "the number of layers is an integer from 1 to 65536, found 0"},
-        Fault{"NegativeMips", output(R"("mips": @-1)"), "the number of mips is an integer from 0 to 32, found -1"},
+        Fault{"LikeBuffer", output(R"("size": {"like": @"n"})"),
+              "\"n\" is a buffer and has no size in pixels"},
+        Fault{"NoLayers", output(R"("layers": @0)"),
+              "the number of layers is an integer from 1 to 65536, found 0"},
+        Fault{"NegativeMips", output(R"("mips": @-1)"),
+              "the number of mips is an integer from 0 to 32, found -1"},
         Fault{"NeutralInSize", output(R"("layers": "@inputs.a.neutral")"),
               "inputs.PORT.neutral can be used in conditions only, not in sizes and counts"},
         Fault{"VectorWithoutElement", output(R"("layers": "@params.v")"),
               "params.v has 2 elements, expected params.v[0] to params.v[1]"},
         Fault{"ElementTooHigh", output(R"("layers": "1 + @params.v[2]")"),
               "params.v has 2 elements, the first is [0], found [2]"},
-        Fault{"ElementOfScalar", output(R"("layers": "@params.f[0]")"), "params.f is one number and has no elements"}),
+        Fault{"ElementOfScalar", output(R"("layers": "@params.f[0]")"),
+              "params.f is one number and has no elements"}),
     [](const auto& test) { return test.param.name; });
 
 INSTANTIATE_TEST_SUITE_P(
     Parameters, ManifestFault,
-    testing::Values(
-        Fault{"NoDefault", pixel(R"("parameters": {"x": @{"type": "int"}})"), "a parameter needs \"default\""},
-        Fault{"UnknownType", parameter(R"("default": 1, "type": @"flaot")"),
-              "unknown parameter type \"flaot\", expected bool, int, uint, float, vec2, vec3, vec4 or float[N] with N from 1 "
-              "to 1024, did you mean \"float\"?"},
-        Fault{"EmptyArrayType", parameter(R"("default": [], "type": @"float[0]")"),
-              "unknown parameter type \"float[0]\", expected bool, int, uint, float, vec2, vec3, vec4 or float[N] with N "
-              "from 1 to 1024"},
-        Fault{"StringForNumber", parameter(R"("type": "float", "default": @"1")"),
-              "x has type float: expected a number, found the string \"1\""},
-        Fault{"NumberForBool", parameter(R"("type": "bool", "default": @1)"),
-              "x has type bool: expected true or false, found the number 1"},
-        Fault{"ShortVector", parameter(R"("type": "vec3", "default": @[1, 2])"),
-              "x has type vec3: expected an array of 3 numbers, found an array of 2"},
-        Fault{"StringInVector", parameter(R"("type": "vec2", "default": [1, @"2"])"), "expected a number, found the string \"2\""},
-        Fault{"FractionForInt", parameter(R"("type": "int", "default": @1.5)"), "x (int) is an integer, found 1.5"},
-        Fault{"NegativeUint", parameter(R"("type": "uint", "default": @-1)"), "x does not fit its type uint, found -1"},
-        Fault{"HugeFloat", parameter(R"("type": "float", "default": @1e300)"), "x does not fit its type float, found 1e+300"},
-        Fault{"OutOfRange", parameter(R"("type": "int", "range": [1, 4], "default": @5)"),
-              "x is out of range, expected 1 to 4, found 5"},
-        Fault{"RangeUpsideDown", parameter(R"("type": "int", "range": @[4, 1], "default": 5)"),
-              "a range's least value comes first, found [4, 1]"},
-        Fault{"RangeOfBool", parameter(R"("type": "bool", @"range": [0, 1], "default": true)"), "a bool has no range"},
-        Fault{"SpecializedVector", parameter(R"("type": "vec2", "default": [1, 2], "specialize": @true)"),
-              "only a bool, int, uint or float can be specialized"}),
+    testing::Values(Fault{"NoDefault", pixel(R"("parameters": {"x": @{"type": "int"}})"),
+                          "a parameter needs \"default\""},
+                    Fault{"UnknownType", parameter(R"("default": 1, "type": @"flaot")"),
+                          "unknown parameter type \"flaot\", expected bool, int, uint, float, vec2, vec3, "
+                          "vec4 or float[N] with N from 1 "
+                          "to 1024, did you mean \"float\"?"},
+                    Fault{"EmptyArrayType", parameter(R"("default": [], "type": @"float[0]")"),
+                          "unknown parameter type \"float[0]\", expected bool, int, uint, float, vec2, vec3, "
+                          "vec4 or float[N] with N "
+                          "from 1 to 1024"},
+                    Fault{"StringForNumber", parameter(R"("type": "float", "default": @"1")"),
+                          "x has type float: expected a number, found the string \"1\""},
+                    Fault{"NumberForBool", parameter(R"("type": "bool", "default": @1)"),
+                          "x has type bool: expected true or false, found the number 1"},
+                    Fault{"ShortVector", parameter(R"("type": "vec3", "default": @[1, 2])"),
+                          "x has type vec3: expected an array of 3 numbers, found an array of 2"},
+                    Fault{"StringInVector", parameter(R"("type": "vec2", "default": [1, @"2"])"),
+                          "expected a number, found the string \"2\""},
+                    Fault{"FractionForInt", parameter(R"("type": "int", "default": @1.5)"),
+                          "x (int) is an integer, found 1.5"},
+                    Fault{"NegativeUint", parameter(R"("type": "uint", "default": @-1)"),
+                          "x does not fit its type uint, found -1"},
+                    Fault{"HugeFloat", parameter(R"("type": "float", "default": @1e300)"),
+                          "x does not fit its type float, found 1e+300"},
+                    Fault{"OutOfRange", parameter(R"("type": "int", "range": [1, 4], "default": @5)"),
+                          "x is out of range, expected 1 to 4, found 5"},
+                    Fault{"RangeUpsideDown", parameter(R"("type": "int", "range": @[4, 1], "default": 5)"),
+                          "a range's least value comes first, found [4, 1]"},
+                    Fault{"RangeOfBool", parameter(R"("type": "bool", @"range": [0, 1], "default": true)"),
+                          "a bool has no range"},
+                    Fault{"SpecializedVector",
+                          parameter(R"("type": "vec2", "default": [1, 2], "specialize": @true)"),
+                          "only a bool, int, uint or float can be specialized"}),
     [](const auto& test) { return test.param.name; });
 
 TEST(PassType, EveryFaultIsNamedAtOnce) {
     const auto faults = nephrite::tests::faultsOf([] {
-        tests::passFrom("{\"kind\": \"pixel\",\n \"shader\": 1,\n \"outputs\": {\"c\": {\"format\": \"x\"}},\n \"docs\": \"\"}");
+        tests::passFrom(
+            "{\"kind\": \"pixel\",\n \"shader\": 1,\n \"outputs\": {\"c\": {\"format\": \"x\"}},\n \"docs\": "
+            "\"\"}");
     });
-    EXPECT_THAT(faults, ElementsAre(HasSubstr("p.json:2:12: "), HasSubstr("p.json:3:30: "), HasSubstr("p.json:4:2: ")));
+    EXPECT_THAT(faults, ElementsAre(HasSubstr("p.json:2:12: "), HasSubstr("p.json:3:30: "),
+                                    HasSubstr("p.json:4:2: ")));
 }
 
 /// A folder of its own for each test, removed after it.
 class Folder : public testing::Test {
   protected:
-    Folder() : path_(std::filesystem::temp_directory_path() / ("nephrite-passes-" + std::to_string(getpid()))) {
+    Folder()
+        : path_(std::filesystem::temp_directory_path() / ("nephrite-passes-" + std::to_string(getpid()))) {
         std::filesystem::create_directories(path_ / "passes");
         std::filesystem::create_directories(path_ / "more");
         std::filesystem::create_directories(path_ / "shaders");
@@ -279,9 +318,10 @@ TEST_F(Folder, MissingShaderIsAFaultOfTheManifest) {
     write("passes/one.json", simple);
     const auto faults =
         nephrite::tests::faultsOf([&] { readPassType(path_ / "passes/one.json", path_ / "shaders"); });
-    EXPECT_THAT(faults, ElementsAre((path_ / "passes/one.json").string() +
-                                    ":1:29: error: the shader \"s.glsl\" is neither beside the manifest nor in " +
-                                    (path_ / "shaders").string()));
+    EXPECT_THAT(faults,
+                ElementsAre((path_ / "passes/one.json").string() +
+                            ":1:29: error: the shader \"s.glsl\" is neither beside the manifest nor in " +
+                            (path_ / "shaders").string()));
 }
 
 TEST_F(Folder, LibraryReadsOnlyWhatIsAskedFor) {

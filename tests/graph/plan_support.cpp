@@ -14,14 +14,17 @@ namespace {
 
 PassLibrary planLibrary() {
     PassLibrary library;
-    const auto add = [&](std::string name, std::string_view manifest) { library.add(passFrom(manifest, std::move(name))); };
+    const auto add = [&](std::string name, std::string_view manifest) {
+        library.add(passFrom(manifest, std::move(name)));
+    };
     add("source", R"({"kind": "pixel", "shader": "s", "outputs": {"color": {"neutral": [1, 2, 3, 4]}}})");
     add("filter", R"({"kind": "pixel", "shader": "s", "inputs": {"a": {}}, "outputs": {"color": {}}})");
     add("blend", R"({"kind": "pixel", "shader": "s",
                      "inputs": {"a": {}, "b": {"optional": true, "neutral": [5, 6, 7, 8], "neededWhen": "params.useB"}},
                      "outputs": {"color": {"format": "rgba32f"}},
                      "parameters": {"useB": {"type": "bool", "default": true}}})");
-    add("pair", R"({"kind": "compute", "shader": "s", "outputs": {"first": {}, "second": {"format": "r8"}}})");
+    add("pair",
+        R"({"kind": "compute", "shader": "s", "outputs": {"first": {}, "second": {"format": "r8"}}})");
     add("translucent", R"({"kind": "pixel", "shader": "s", "inputs": {"a": {}},
                            "outputs": {"color": {"neutral": [0, 0, 0, 1]}}, "skipWhen": "scene.translucentMaterials == 0"})");
     add("follower", R"({"kind": "pixel", "shader": "s", "inputs": {"a": {}}, "outputs": {"color": {}},
@@ -37,7 +40,8 @@ PassLibrary planLibrary() {
                      "outputs": {"color": {"size": {"scale": "params.scale"}, "mips": "params.mips", "layers": "params.layers"}},
                      "parameters": {"scale": {"type": "float", "default": 1}, "mips": {"type": "float", "default": 1},
                                     "layers": {"type": "float", "default": 1}}})");
-    add("second-size", R"({"kind": "pixel", "shader": "s", "inputs": {"a": {"optional": true}, "b": {"optional": true}},
+    add("second-size",
+        R"({"kind": "pixel", "shader": "s", "inputs": {"a": {"optional": true}, "b": {"optional": true}},
                            "outputs": {"color": {"size": {"like": "b"}}}})");
     return library;
 }
@@ -80,14 +84,19 @@ std::vector<std::string> faultsOf(std::string_view graph, CompileRequest compile
 
 Index nodeNamed(const Plan& plan, std::string_view name) {
     const auto& nodes = plan.graph->description.nodes;
-    const auto found = std::find_if(nodes.begin(), nodes.end(), [&](const auto& node) { return node.name == name; });
+    const auto found =
+        std::find_if(nodes.begin(), nodes.end(), [&](const auto& node) { return node.name == name; });
     if (found == nodes.end()) throw std::out_of_range("no node " + std::string(name));
     return static_cast<Index>(found - nodes.begin());
 }
 
-NodeState stateOf(const Plan& plan, std::string_view node) { return plan.nodes[nodeNamed(plan, node)].state; }
+NodeState stateOf(const Plan& plan, std::string_view node) {
+    return plan.nodes[nodeNamed(plan, node)].state;
+}
 
-std::string whyOf(const Plan& plan, std::string_view node) { return graph::whyOf(plan, nodeNamed(plan, node)); }
+std::string whyOf(const Plan& plan, std::string_view node) {
+    return graph::whyOf(plan, nodeNamed(plan, node));
+}
 
 std::vector<std::string> passNames(const Plan& plan) {
     std::vector<std::string> names;
@@ -122,6 +131,8 @@ std::vector<std::string> barriersBefore(const Plan& plan, std::string_view node)
     return inWords(plan, passNamed(plan, node).barriers);
 }
 
-std::vector<std::string> barriersAtEnd(const Plan& plan) { return inWords(plan, plan.finalBarriers); }
+std::vector<std::string> barriersAtEnd(const Plan& plan) {
+    return inWords(plan, plan.finalBarriers);
+}
 
 }  // namespace nephrite::graph::tests

@@ -19,7 +19,8 @@ CompileRequest sampled() {
     return result;
 }
 
-constexpr auto* chain = R"({"nodes": {"a": {"pass": "source"}, "b": {"pass": "filter", "in": {"a": "a.color"}}},
+constexpr auto* chain =
+    R"({"nodes": {"a": {"pass": "source"}, "b": {"pass": "filter", "in": {"a": "a.color"}}},
     "outputs": {"color": "b.color"}})";
 
 TEST(PlanBarriers, ReadAfterWriteThroughStorageImagesStaysInOneLayout) {
@@ -48,13 +49,15 @@ TEST(PlanBarriers, OneBarrierServesAllReadersInOneLayout) {
         "a": {"pass": "source"}, "b": {"pass": "filter", "in": {"a": "a.color"}}, "c": {"pass": "draw", "in": {"a": "a.color"}},
         "d": {"pass": "blend", "in": {"a": "a.color", "b": "a.color"}}},
         "outputs": {"b": "b.color", "c": "c.color", "d": "d.color"}})");
-    EXPECT_EQ(barriersBefore(plan, "b")[0], "a.color stays general for compute read and raster read, after compute write");
+    EXPECT_EQ(barriersBefore(plan, "b")[0],
+              "a.color stays general for compute read and raster read, after compute write");
     EXPECT_THAT(barriersBefore(plan, "d"),
                 ElementsAre("d.color undefined -> general for compute write, nothing to wait for"));
 }
 
 TEST(PlanBarriers, CopyingOutWhatWasReadWaitsForTheReadersOnly) {
-    const Plan plan = planOf(R"({"nodes": {"a": {"pass": "source"}, "b": {"pass": "filter", "in": {"a": "a.color"}}},
+    const Plan plan =
+        planOf(R"({"nodes": {"a": {"pass": "source"}, "b": {"pass": "filter", "in": {"a": "a.color"}}},
         "outputs": {"a": "a.color", "b": "b.color"}})");
     EXPECT_EQ(barriersAtEnd(plan)[0], "a.color general -> transfer source for copy, after compute read");
     EXPECT_FALSE(plan.barriers[plan.finalBarriers.first].writeBefore);
@@ -62,41 +65,49 @@ TEST(PlanBarriers, CopyingOutWhatWasReadWaitsForTheReadersOnly) {
 }
 
 TEST(PlanBarriers, ARasterPassWritesAttachmentsAndItsDepthIsReadThroughASampler) {
-    const Plan plan = planOf(R"({"nodes": {"a": {"pass": "draw"}, "b": {"pass": "blend", "in": {"a": "a.color", "b": "a.depth"}}},
+    const Plan plan = planOf(
+        R"({"nodes": {"a": {"pass": "draw"}, "b": {"pass": "blend", "in": {"a": "a.color", "b": "a.depth"}}},
         "outputs": {"color": "b.color"}})");
-    EXPECT_THAT(barriersBefore(plan, "a"),
-                ElementsAre("a.color undefined -> color attachment for color attachment, nothing to wait for",
-                            "a.depth undefined -> depth attachment for depth attachment, nothing to wait for"));
-    EXPECT_THAT(barriersBefore(plan, "b"),
-                ElementsAre("a.color color attachment -> general for compute read, after color attachment",
-                            "a.depth depth attachment -> shader read for compute read, after depth attachment",
-                            "b.color undefined -> general for compute write, nothing to wait for"));
+    EXPECT_THAT(
+        barriersBefore(plan, "a"),
+        ElementsAre("a.color undefined -> color attachment for color attachment, nothing to wait for",
+                    "a.depth undefined -> depth attachment for depth attachment, nothing to wait for"));
+    EXPECT_THAT(
+        barriersBefore(plan, "b"),
+        ElementsAre("a.color color attachment -> general for compute read, after color attachment",
+                    "a.depth depth attachment -> shader read for compute read, after depth attachment",
+                    "b.color undefined -> general for compute write, nothing to wait for"));
 }
 
 TEST(PlanBarriers, BuffersHaveNoLayoutsAndNeedNothingBeforeTheirFirstUse) {
-    const Plan plan = planOf(R"({"nodes": {"a": {"pass": "source"}, "m": {"pass": "measure", "in": {"a": "a.color"}},
+    const Plan plan =
+        planOf(R"({"nodes": {"a": {"pass": "source"}, "m": {"pass": "measure", "in": {"a": "a.color"}},
         "s": {"pass": "summary", "in": {"sums": "m.sums"}}}, "outputs": {"color": "s.color"}})");
-    EXPECT_THAT(barriersBefore(plan, "m"), ElementsAre("a.color stays general for compute read, after compute write"));
+    EXPECT_THAT(barriersBefore(plan, "m"),
+                ElementsAre("a.color stays general for compute read, after compute write"));
     EXPECT_EQ(barriersBefore(plan, "s")[0], "m.sums  for compute read, after compute write");
 }
 
 TEST(PlanBarriers, AClearedOutputGoesThroughTransferLayouts) {
     CompileRequest opaque = request();
     opaque.facts.translucentMaterials = 0;
-    const Plan plan = planOf(R"({"nodes": {"a": {"pass": "source"}, "t": {"pass": "translucent", "in": {"a": "a.color"}}},
+    const Plan plan =
+        planOf(R"({"nodes": {"a": {"pass": "source"}, "t": {"pass": "translucent", "in": {"a": "a.color"}}},
         "outputs": {"color": "t.color"}})",
-                             opaque);
+               opaque);
     EXPECT_THAT(barriersBefore(plan, "t"),
                 ElementsAre("t.color undefined -> transfer destination for clear, nothing to wait for"));
-    EXPECT_THAT(barriersAtEnd(plan), ElementsAre("t.color transfer destination -> transfer source for copy, after clear"));
+    EXPECT_THAT(barriersAtEnd(plan),
+                ElementsAre("t.color transfer destination -> transfer source for copy, after clear"));
 }
 
 TEST(PlanBarriers, ABarrierCoversTheWholeImage) {
     CompileRequest views = request();
     views.facts.lightViews = 3;
-    const Plan plan = planOf(R"({"nodes": {"s": {"pass": "shape", "forEach": "lights", "set": {"mips": 4, "layers": 2}}},
+    const Plan plan =
+        planOf(R"({"nodes": {"s": {"pass": "shape", "forEach": "lights", "set": {"mips": 4, "layers": 2}}},
         "outputs": {"color": "s.color"}})",
-                             views);
+               views);
     for (const Barrier& barrier : plan.barriers) {
         EXPECT_EQ(barrier.baseMip, 0U);
         EXPECT_EQ(barrier.mips, 4U);
@@ -106,7 +117,8 @@ TEST(PlanBarriers, ABarrierCoversTheWholeImage) {
 }
 
 /// The barriers that uses of one image or buffer by passes 0, 1, 2, ... need.
-std::vector<PlacedBarrier> barriersFor(const std::vector<Use>& uses, InputReads reads, bool isBuffer = false) {
+std::vector<PlacedBarrier> barriersFor(const std::vector<Use>& uses, InputReads reads,
+                                       bool isBuffer = false) {
     Resource resource;
     resource.isBuffer = isBuffer;
     std::vector<PassUse> passUses;
@@ -117,8 +129,8 @@ std::vector<PlacedBarrier> barriersFor(const std::vector<Use>& uses, InputReads 
 }
 
 TEST(ResourceBarriers, WriteAfterReadIsAnExecutionDependencyOnAllReaders) {
-    const auto barriers = barriersFor({Use::ComputeWrite, Use::ComputeRead, Use::RasterRead, Use::ComputeWrite},
-                                      InputReads::StorageImage);
+    const auto barriers = barriersFor(
+        {Use::ComputeWrite, Use::ComputeRead, Use::RasterRead, Use::ComputeWrite}, InputReads::StorageImage);
     ASSERT_EQ(barriers.size(), 3U);
     EXPECT_EQ(barriers[2].pass, 3U);
     EXPECT_EQ(barriers[2].barrier.usesBefore, bit(Use::ComputeRead) | bit(Use::RasterRead));
@@ -149,8 +161,8 @@ TEST(ResourceBarriers, ReadsInDifferentLayoutsChangeTheLayoutBetweenThem) {
 }
 
 TEST(ResourceBarriers, ReadsOfABufferShareOneBarrierWhateverTheyAre) {
-    const auto barriers =
-        barriersFor({Use::ComputeWrite, Use::ComputeRead, Use::Copy, Use::RasterRead}, InputReads::SampledImage, true);
+    const auto barriers = barriersFor({Use::ComputeWrite, Use::ComputeRead, Use::Copy, Use::RasterRead},
+                                      InputReads::SampledImage, true);
     ASSERT_EQ(barriers.size(), 1U);
     EXPECT_EQ(barriers[0].barrier.usesAfter, bit(Use::ComputeRead) | bit(Use::Copy) | bit(Use::RasterRead));
     EXPECT_EQ(barriers[0].barrier.newLayout, Layout::Undefined);

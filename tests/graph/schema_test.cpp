@@ -31,22 +31,24 @@ TEST(Schema, GraphNamesEveryKeyOfTheFormat) {
     const json::Value schema = json::parse(graphSchema(), "schema");
     EXPECT_EQ(schema.find("$schema")->raw().asString(), "http://json-schema.org/draft-04/schema#");
     EXPECT_EQ(schema.find("type")->raw().asString(), "object");
-    EXPECT_THAT(keysOf(*schema.find("properties")), UnorderedElementsAre("name", "doc", "parameters", "nodes", "outputs"));
-    EXPECT_THAT(definitionKeys(schema, "node"),
-                UnorderedElementsAre("pass", "view", "forEach", "in", "set", "size", "format", "when", "doc"));
+    EXPECT_THAT(keysOf(*schema.find("properties")),
+                UnorderedElementsAre("name", "doc", "parameters", "nodes", "outputs"));
+    EXPECT_THAT(definitionKeys(schema, "node"), UnorderedElementsAre("pass", "view", "forEach", "in", "set",
+                                                                     "size", "format", "when", "doc"));
     EXPECT_THAT(definitionKeys(schema, "parameter"), UnorderedElementsAre("value", "range", "doc"));
 }
 
 TEST(Schema, PassNamesEveryKeyOfTheFormat) {
     const json::Value schema = json::parse(passSchema(), "schema");
     EXPECT_THAT(keysOf(*schema.find("properties")),
-                UnorderedElementsAre("kind", "shader", "doc", "inputs", "outputs", "parameters", "skipWhen", "sideEffect",
-                                     "raster"));
+                UnorderedElementsAre("kind", "shader", "doc", "inputs", "outputs", "parameters", "skipWhen",
+                                     "sideEffect", "raster"));
     EXPECT_THAT(definitionKeys(schema, "input"),
                 UnorderedElementsAre("doc", "optional", "neutral", "neededWhen", "format", "buffer"));
-    EXPECT_THAT(definitionKeys(schema, "output"),
-                UnorderedElementsAre("doc", "format", "size", "neutral", "mips", "layers", "buffer", "count"));
-    EXPECT_THAT(definitionKeys(schema, "parameter"), UnorderedElementsAre("type", "default", "range", "specialize", "doc"));
+    EXPECT_THAT(definitionKeys(schema, "output"), UnorderedElementsAre("doc", "format", "size", "neutral",
+                                                                       "mips", "layers", "buffer", "count"));
+    EXPECT_THAT(definitionKeys(schema, "parameter"),
+                UnorderedElementsAre("type", "default", "range", "specialize", "doc"));
     EXPECT_THAT(definitionKeys(schema, "raster"), UnorderedElementsAre("keep", "cull"));
 }
 
@@ -68,7 +70,8 @@ TEST(Schema, EveryReferenceIsDefinedAndEveryDefinitionUsed) {
     for (const std::string& text : {graphSchema(), passSchema()}) {
         const json::Value schema = json::parse(text, "schema");
         std::vector<std::string> defined;
-        for (const std::string& key : keysOf(*schema.find("definitions"))) defined.push_back("#/definitions/" + key);
+        for (const std::string& key : keysOf(*schema.find("definitions")))
+            defined.push_back("#/definitions/" + key);
         EXPECT_THAT(references(schema), UnorderedElementsAreArray(defined));
     }
 }
@@ -84,8 +87,8 @@ TEST(Schema, RequiredKeysAreThoseTheReaderMisses) {
 }
 
 TEST(Schema, EveryKeyIsDocumented) {
-    for (const auto keys : {keys::graph(), keys::graphParameter(), keys::node(), keys::manifest(), keys::input(),
-                            keys::output(), keys::parameter(), keys::raster()}) {
+    for (const auto keys : {keys::graph(), keys::graphParameter(), keys::node(), keys::manifest(),
+                            keys::input(), keys::output(), keys::parameter(), keys::raster()}) {
         for (const json::Key& key : keys) {
             EXPECT_FALSE(key.doc.empty()) << key.name;
             EXPECT_TRUE(json::parse(std::string(key.schema), "schema").isObject()) << key.name;

@@ -318,7 +318,8 @@ class PositionPass {
 
   private:
     void render(VkCommandBuffer commands, std::uint32_t iteration) const {
-        VkRenderingAttachmentInfo color{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
+        VkRenderingAttachmentInfo color{};
+        color.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO;
         color.imageView = color_.view();
         color.imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
         color.loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR;
@@ -327,7 +328,8 @@ class PositionPass {
         depth.imageView = depth_.view();
         depth.imageLayout = VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL;
         depth.clearValue.depthStencil = {1, 0};
-        VkRenderingInfo info{VK_STRUCTURE_TYPE_RENDERING_INFO};
+        VkRenderingInfo info{};
+        info.sType = VK_STRUCTURE_TYPE_RENDERING_INFO;
         info.renderArea.extent = {side, side};
         info.layerCount = 1;
         info.colorAttachmentCount = 1;

@@ -167,9 +167,10 @@ TEST_F(LayerTexture, WithoutAChannelIsRgbAndIsStoredOnce) {
     material.layers[0].thicknessTexture = TextureReference{in("t.exr"), "", 1, {}};
     Diagnostics faults;
     const PackedMaterials packed = packMaterials(std::vector{material}, faults);
-    EXPECT_THAT(packed.texels, ElementsAre(1, 2, 3, 4, 5, 6, 1, 4));
-    EXPECT_EQ(packed.layers[0].scatteringTexture.offset, 0U);
-    EXPECT_EQ(packed.layers[0].thicknessTexture.offset, 6U);
+    EXPECT_THAT(packed.texels, ElementsAre(1, 4, 1, 2, 3, 4, 5, 6));
+    EXPECT_EQ(packed.layers[0].absorptionTexture.offset, 2U);
+    EXPECT_EQ(packed.layers[0].scatteringTexture.offset, 2U);
+    EXPECT_EQ(packed.layers[0].thicknessTexture.offset, 0U);
     EXPECT_EQ(packed.layers[0].thicknessTexture.channels, 1U);
     EXPECT_EQ(packed.textures, 3U);
 }

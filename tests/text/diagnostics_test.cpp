@@ -46,7 +46,8 @@ TEST(Diagnostics, QuotesEscapeControlCharactersAndCutLongText) {
     const std::string cut = inQuotes(std::string(1000, 'x'));
     EXPECT_EQ(cut, "\"" + std::string(60, 'x') + "...\"");
     // A cut never splits the two bytes of an "é".
-    const std::string accents = inQuotes("x" + std::string(40, 'y') + "\xC3\xA9\xC3\xA9\xC3\xA9\xC3\xA9\xC3\xA9\xC3\xA9"
+    const std::string accents = inQuotes("x" + std::string(40, 'y') +
+                                         "\xC3\xA9\xC3\xA9\xC3\xA9\xC3\xA9\xC3\xA9\xC3\xA9"
                                          "\xC3\xA9\xC3\xA9\xC3\xA9\xC3\xA9\xC3\xA9");
     EXPECT_EQ(accents.substr(accents.size() - 6), "\xC3\xA9...\"");
 }

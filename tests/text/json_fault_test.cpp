@@ -79,9 +79,12 @@ TEST(JsonFaults, ByteOrderMarkTakesNoColumn) {
 }
 
 TEST(JsonFaults, LinesMayEndWithCarriageReturns) {
-    EXPECT_THAT(tests::faultsOf([] { parse("[1,\r\n 2,\r\n  x]", "f"); }), ElementsAre(StartsWith("f:3:3: error: ")));
-    EXPECT_THAT(tests::faultsOf([] { parse("[1,\r 2,\r  3 4]", "f"); }), ElementsAre(StartsWith("f:3:5: error: ")));
-    EXPECT_THAT(tests::faultsOf([] { parse("[1,\r\n 2 3]", "f"); }), ElementsAre(StartsWith("f:2:4: error: ")));
+    EXPECT_THAT(tests::faultsOf([] { parse("[1,\r\n 2,\r\n  x]", "f"); }),
+                ElementsAre(StartsWith("f:3:3: error: ")));
+    EXPECT_THAT(tests::faultsOf([] { parse("[1,\r 2,\r  3 4]", "f"); }),
+                ElementsAre(StartsWith("f:3:5: error: ")));
+    EXPECT_THAT(tests::faultsOf([] { parse("[1,\r\n 2 3]", "f"); }),
+                ElementsAre(StartsWith("f:2:4: error: ")));
 }
 
 TEST(JsonFaults, DeepNestingIsRefusedNotFollowed) {
@@ -97,13 +100,15 @@ TEST(JsonFaults, DeepNestingIsRefusedNotFollowed) {
 TEST(JsonFaults, HundredLevelsAreRead) {
     const std::string text = std::string(100, '[') + std::string(100, ']');
     EXPECT_TRUE(parse(text, "f").isArray());
-    EXPECT_THAT(tests::faultsOf([&] { parse("[" + text + "]", "f"); }), ElementsAre(StartsWith("f:1:101: error: ")));
+    EXPECT_THAT(tests::faultsOf([&] { parse("[" + text + "]", "f"); }),
+                ElementsAre(StartsWith("f:1:101: error: ")));
 }
 
 TEST(JsonFaults, FileThatCannotBeRead) {
     EXPECT_THAT(tests::faultsOf([] { parseFile("/nowhere/x.json"); }),
                 ElementsAre("/nowhere/x.json: error: cannot be read: there is no such file"));
-    EXPECT_THAT(tests::faultsOf([] { parseFile("/"); }), ElementsAre("/: error: cannot be read: it is a folder"));
+    EXPECT_THAT(tests::faultsOf([] { parseFile("/"); }),
+                ElementsAre("/: error: cannot be read: it is a folder"));
 }
 
 }  // namespace

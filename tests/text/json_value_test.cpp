@@ -142,16 +142,19 @@ TEST(JsonObjectReader, RefusesWhatIsNoObjectOnce) {
     EXPECT_FALSE(object.required("type"));
     object.finish();
     ASSERT_EQ(diagnostics.errors().size(), 1U);
-    EXPECT_EQ(toLine(diagnostics.errors()[0]), "f:1:1: error: expected a light (an object), found an array of 1");
+    EXPECT_EQ(toLine(diagnostics.errors()[0]),
+              "f:1:1: error: expected a light (an object), found an array of 1");
 }
 
 TEST(JsonParse, BytesChangedAtRandomNeverCrash) {
-    const std::string good = "// c\n{\"a\": [1, -2.5e3, \"x\\u00e9\\n\", {\"b\": null}], /* d */ \"c\": true,}";
+    const std::string good =
+        "// c\n{\"a\": [1, -2.5e3, \"x\\u00e9\\n\", {\"b\": null}], /* d */ \"c\": true,}";
     std::mt19937 random(1);
     int refused = 0;
     for (int i = 0; i < 20000; ++i) {
         std::string text = good;
-        for (int change = 0; change < 3; ++change) text[random() % text.size()] = static_cast<char>(random() % 256);
+        for (int change = 0; change < 3; ++change)
+            text[random() % text.size()] = static_cast<char>(random() % 256);
         const auto faults = tests::faultsOf([&] { parse(text, "f"); });
         ASSERT_LE(faults.size(), 1U);
         refused += static_cast<int>(faults.size());
