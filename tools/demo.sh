@@ -12,8 +12,7 @@ nephrite=build/release/nephrite
 graph=graphs/paper.json
 mkdir -p out
 echo "demo: rendering $graph"
-"$nephrite" render "$graph" -o out/paper.exr
-"$nephrite" render "$graph" -o out/paper.png
+"$nephrite" render "$graph" -o out/paper.exr -o out/paper.png
 "$nephrite" render "$graph" --profile --frames 10 --timings out/timings.json
 for format in svg dot json txt; do
     "$nephrite" plan "$graph" -o "out/plan.$format"

@@ -175,10 +175,13 @@ void PassProgram::fillDescriptors(const ProgramContext& context, const graph::Pl
                                     resources.levelView(descriptor.resource, descriptor.mip));
                 break;
             case PortDescriptor::Kind::SampledImage: {
-                const graph::Layout layout = graph::layoutOf(graph::Use::ComputeRead, plan.inputReads,
-                                                             plan.resources[descriptor.resource].format);
-                writer.sampledImage(descriptor.binding, resources.wholeView(descriptor.resource),
-                                    context.sampler, vulkanLayout(layout));
+                const graph::Format format = plan.resources[descriptor.resource].format;
+                const graph::Layout layout =
+                    graph::layoutOf(graph::Use::ComputeRead, plan.inputReads, format);
+                const VkSampler sampler =
+                    filterableOn(context.device)(format) ? context.linearSampler : context.nearestSampler;
+                writer.sampledImage(descriptor.binding, resources.wholeView(descriptor.resource), sampler,
+                                    vulkanLayout(layout));
                 break;
             }
         }

@@ -21,7 +21,8 @@ struct ProgramContext {
     const gpu::PipelineCache& pipelineCache;
     gpu::DescriptorAllocator& descriptors;
     VkDescriptorSetLayout sceneLayout = VK_NULL_HANDLE;
-    VkSampler sampler = VK_NULL_HANDLE;  ///< linear, clamped
+    VkSampler linearSampler = VK_NULL_HANDLE;   ///< clamped
+    VkSampler nearestSampler = VK_NULL_HANDLE;  ///< clamped; for formats that cannot be filtered
     std::filesystem::path shaderFolder;
 };
 

@@ -57,15 +57,21 @@ struct Session::State {
           compiler(gpu::DiskCache::standard()),
           pipelineCache(device, gpu::DiskCache::standard()),
           descriptors(device),
-          sampler(device, {}),
+          linearSampler(device, {}),
+          nearestSampler(device, {VK_FILTER_NEAREST, VK_SAMPLER_MIPMAP_MODE_NEAREST}),
           gpuScene(device, scene),
           plan(compilePlan(options, loaded, scene, device)) {
         for (const Diagnostic& warning : scene.warnings())
             diagnostics.warning(warning.where, warning.message);
         if (options.omitBarrier) omitBarrier(*options.omitBarrier);
-        const ProgramContext context{
-            device,           compiler,       pipelineCache, descriptors, gpuScene.descriptorSetLayout(),
-            sampler.handle(), folders.shaders};
+        const ProgramContext context{device,
+                                     compiler,
+                                     pipelineCache,
+                                     descriptors,
+                                     gpuScene.descriptorSetLayout(),
+                                     linearSampler.handle(),
+                                     nearestSampler.handle(),
+                                     folders.shaders};
         executor.emplace(context, plan, gpuScene, options.profile);
         checkValidation();
     }
@@ -93,7 +99,8 @@ struct Session::State {
     gpu::ShaderCompiler compiler;
     gpu::PipelineCache pipelineCache;
     gpu::DescriptorAllocator descriptors;
-    gpu::Sampler sampler;
+    gpu::Sampler linearSampler;
+    gpu::Sampler nearestSampler;
     scene::GpuScene gpuScene;
     graph::Plan plan;
     std::optional<Executor> executor;

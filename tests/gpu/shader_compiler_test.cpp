@@ -175,6 +175,26 @@ TEST(ShaderIncludes, GuardedOnesMayMeetTwice) {
     EXPECT_THAT(shader.includes, ElementsAre(guarded));
 }
 
+TEST(ShaderIncludes, AreRewrittenBeforeTheyAreCompiledAndKept) {
+    const TemporaryFolder folder;
+    const TemporaryFolder cacheFolder;
+    const ShaderCompiler compiler{DiskCache(cacheFolder.path())};
+    folder.write("placeholder.glsl", "const float a = VALUE;\n");
+    ShaderSource source = wrapped("#include \"placeholder.glsl\"\nvoid compute(uvec3 id) {}\n",
+                                  folder.write("author.glsl", ""));
+    EXPECT_THAT(faultLines(source), ElementsAre(HasSubstr("'VALUE': undeclared identifier")));
+    const auto withValue = [&](const std::string& value) {
+        source.rewriteInclude = [value](std::string_view text) {
+            std::string rewritten(text);
+            return rewritten.replace(rewritten.find("VALUE"), 5, value);
+        };
+        return compiler.compile(source);
+    };
+    EXPECT_FALSE(withValue("1").fromCache);
+    EXPECT_FALSE(withValue("2").fromCache);
+    EXPECT_TRUE(withValue("1").fromCache);
+}
+
 /// A shader whose code depends on an included constant, so that a stale result would show.
 ShaderSource including(const TemporaryFolder& folder, const std::string& constant) {
     folder.write("constant.glsl", "const float constant = " + constant + ";\n");

@@ -1,4 +1,5 @@
 // Sizes, formats, layers, mips and memory of what a plan writes, and the sizes that are refused.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -10,70 +11,93 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-Extent extentOf(std::string_view node, std::string_view nodes) {
-    const std::string graph = R"({"parameters": {"n": {"value": 100}}, "nodes": {)" + std::string(nodes) +
-                              R"(}, "outputs": {"color": ")" + std::string(node) + R"(.color"}})";
-    return resourceNamed(planOf(graph), std::string(node) + ".color").extent;
+/// `text` with each @ replaced by `value`.
+std::string filled(std::string_view text, std::string_view value) {
+    std::string result;
+    for (const char c : text) {
+        if (c == '@') {
+            result += value;
+        } else {
+            result += c;
+        }
+    }
+    return result;
 }
 
-std::string faultOfShape(const std::string& members) {
-    const auto faults = faultsOf(R"({"nodes": {"s": {"pass": "shape", )" + members +
-                                 R"(}}, "outputs": {"color": "s.color"}})");
-    return faults.size() == 1 ? faults[0] : std::to_string(faults.size()) + " faults";
+/// The extent of output "color" of the node "it", one of the given members of "nodes".
+Extent extentOfIt(std::string_view nodes) {
+    constexpr auto* graph =
+        R"({"parameters": {"n": {"value": 100}}, "nodes": {@}, "outputs": {"color": "it.color"}})";
+    return resourceNamed(planOf(filled(graph, nodes)), "it.color").extent;
+}
+
+/// The fault of a graph of one node "s" of the pass "shape" with these members.
+std::string faultOfShape(std::string_view members) {
+    constexpr auto* graph = R"({"nodes": {"s": {"pass": "shape", @}}, "outputs": {"color": "s.color"}})";
+    const auto faults = faultsOf(filled(graph, members));
+    return faults.size() == 1 ? faults[0] : fmt::format("{} faults", faults.size());
 }
 
 TEST(CompileSize, WithoutARuleOrAnInputItIsTheViews) {
-    EXPECT_EQ(extentOf("a", R"("a": {"pass": "source"})"), (Extent{640, 480}));
+    EXPECT_EQ(extentOfIt(R"("it": {"pass": "source"})"), (Extent{640, 480}));
 }
 
 TEST(CompileSize, WithoutARuleItIsTheFirstConnectedInputs) {
     EXPECT_EQ(
-        extentOf(
-            "b",
-            R"("a": {"pass": "source", "size": [30, 20]}, "b": {"pass": "filter", "in": {"a": "a.color"}})"),
+        extentOfIt(
+            R"("a": {"pass": "source", "size": [30, 20]}, "it": {"pass": "filter", "in": {"a": "a.color"}})"),
         (Extent{30, 20}));
     // "like": "b" with nothing connected to b.
     EXPECT_EQ(
-        extentOf(
-            "s",
-            R"("a": {"pass": "source", "size": [30, 20]}, "s": {"pass": "second-size", "in": {"a": "a.color"}})"),
+        extentOfIt(
+            R"("a": {"pass": "source", "size": [30, 20]}, "it": {"pass": "second-size", "in": {"a": "a.color"}})"),
         (Extent{30, 20}));
 }
 
 TEST(CompileSize, TheManifestsLikeNamesAnInput) {
     EXPECT_EQ(
-        extentOf("s", R"("a": {"pass": "source", "size": [30, 20]}, "b": {"pass": "source", "size": [7, 9]},
-                               "s": {"pass": "second-size", "in": {"a": "a.color", "b": "b.color"}})"),
+        extentOfIt(R"("a": {"pass": "source", "size": [30, 20]}, "b": {"pass": "source", "size": [7, 9]},
+                               "it": {"pass": "second-size", "in": {"a": "a.color", "b": "b.color"}})"),
         (Extent{7, 9}));
 }
 
 TEST(CompileSize, TheNodesLikeNamesAPortOfAnyNodeEvenACulledOne) {
     EXPECT_EQ(
-        extentOf(
-            "a",
-            R"("a": {"pass": "source", "size": {"like": "z.color"}}, "z": {"pass": "source", "size": [5, 6]})"),
+        extentOfIt(
+            R"("it": {"pass": "source", "size": {"like": "z.color"}}, "z": {"pass": "source", "size": [5, 6]})"),
         (Extent{5, 6}));
 }
 
 TEST(CompileSize, NumbersMayBeGraphParametersAndZeroIsTheViews) {
-    EXPECT_EQ(extentOf("a", R"("a": {"pass": "source", "size": ["$n", "$n"]})"), (Extent{100, 100}));
-    EXPECT_EQ(extentOf("a", R"("a": {"pass": "source", "size": [0, 32]})"), (Extent{640, 32}));
+    EXPECT_EQ(extentOfIt(R"("it": {"pass": "source", "size": ["$n", "$n"]})"), (Extent{100, 100}));
+    EXPECT_EQ(extentOfIt(R"("it": {"pass": "source", "size": [0, 32]})"), (Extent{640, 32}));
 }
 
 TEST(CompileSize, AScaleRoundsToNearestAndIsAtLeastOne) {
-    EXPECT_EQ(extentOf("a", R"("a": {"pass": "source", "size": {"scale": 0.333}})"), (Extent{213, 160}));
-    EXPECT_EQ(extentOf("a", R"("a": {"pass": "source", "size": {"scale": 0.0001}})"), (Extent{1, 1}));
+    EXPECT_EQ(extentOfIt(R"("it": {"pass": "source", "size": {"scale": 0.333}})"), (Extent{213, 160}));
+    EXPECT_EQ(extentOfIt(R"("it": {"pass": "source", "size": {"scale": 0.0001}})"), (Extent{1, 1}));
 }
 
 TEST(CompileSize, MipsZeroIsTheFullChainAndMoreThanThatIsCut) {
-    const auto mips = [](const std::string& count) {
-        const Plan plan = planOf(R"({"nodes": {"s": {"pass": "shape", "set": {"mips": )" + count +
-                                 R"(}}}, "outputs": {"color": "s.color"}})");
-        return resourceNamed(plan, "s.color").mips;
+    const auto mips = [](std::string_view count) {
+        constexpr auto* graph =
+            R"({"nodes": {"s": {"pass": "shape", "set": {"mips": @}}}, "outputs": {"color": "s.color"}})";
+        return resourceNamed(planOf(filled(graph, count)), "s.color").mips;
     };
     EXPECT_EQ(mips("0"), 10U);  // 640 .. 1
     EXPECT_EQ(mips("3"), 3U);
     EXPECT_EQ(mips("30"), 10U);
+}
+
+TEST(CompileSize, CountsAreCutToWholeNumbersLikeIntegerDivision) {
+    const auto layers = [](std::string_view count) {
+        constexpr auto* graph =
+            R"({"nodes": {"s": {"pass": "shape", "set": {"layers": @}}}, "outputs": {"color": "s.color"}})";
+        return resourceNamed(planOf(filled(graph, count)), "s.color").layers;
+    };
+    EXPECT_EQ(layers("1.75"), 1U);
+    EXPECT_EQ(layers("2.25"), 2U);
+    EXPECT_EQ(layers("2.9999999999999996"), 3U);  // 3 less one unit in the last place
 }
 
 TEST(CompileSize, BytesCountEveryLevelAndLayer) {
@@ -86,10 +110,11 @@ TEST(CompileSize, BytesCountEveryLevelAndLayer) {
 }
 
 TEST(CompileSize, BuffersHaveAStd430StrideAndMayBeEmpty) {
-    const auto graph = [](const std::string& count) {
-        return R"({"nodes": {"a": {"pass": "source"}, "m": {"pass": "measure", "in": {"a": "a.color"}, "set": {"count": )" +
-               count +
-               R"(}}, "s": {"pass": "summary", "in": {"sums": "m.sums"}}}, "outputs": {"color": "s.color"}})";
+    const auto graph = [](std::string_view count) {
+        return filled(R"({"nodes": {"a": {"pass": "source"},
+            "m": {"pass": "measure", "in": {"a": "a.color"}, "set": {"count": @}},
+            "s": {"pass": "summary", "in": {"sums": "m.sums"}}}, "outputs": {"color": "s.color"}})",
+                      count);
     };
     const Plan plan = planOf(graph("10"));
     const Resource& sums = resourceNamed(plan, "m.sums");
@@ -153,12 +178,12 @@ TEST(CompileSize, ABillionBytesAThousandTimesStillAddUp) {
     std::string nodes;
     std::string outputs;
     for (int i = 0; i < 1000; ++i) {
-        const std::string name = "n" + std::to_string(i);
         nodes +=
-            "\"" + name + R"(": {"pass": "source", "size": [16384, 16384], "format": {"color": "rgba32f"}},)";
-        outputs += "\"" + name + "\": \"" + name + ".color\",";
+            filled(R"("n@": {"pass": "source", "size": [16384, 16384], "format": {"color": "rgba32f"}},)",
+                   std::to_string(i));
+        outputs += filled(R"("n@": "n@.color",)", std::to_string(i));
     }
-    const Plan plan = planOf(R"({"nodes": {)" + nodes + R"(}, "outputs": {)" + outputs + "}}");
+    const Plan plan = planOf(fmt::format(R"({{"nodes": {{{}}}, "outputs": {{{}}}}})", nodes, outputs));
     EXPECT_EQ(plan.naiveBytes, 1000ULL * 16384 * 16384 * 16);
     EXPECT_EQ(plan.peakLiveBytes, plan.naiveBytes);
 }

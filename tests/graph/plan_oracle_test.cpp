@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <random>
 
 #include "graph/compile.h"
@@ -132,6 +133,28 @@ TEST(PlanOracle, CatchesEachPartOfABarrierThatIsWrong) {
     expectCaught("availability the other way",
                  [](Barrier& barrier) { barrier.writeBefore = !barrier.writeBefore; });
     expectCaught("half the image", [](Barrier& barrier) { barrier.baseLayer = 1; });
+}
+
+TEST(PlanOracle, FindsNothingInTheProjectsOwnGraphs) {
+    const std::filesystem::path root = NEPHRITE_SOURCE_DIR;
+    const PassLibrary library({root / "passes"}, root / "shaders");
+    std::size_t graphs = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(root / "graphs")) {
+        if (entry.path().extension() != ".json") continue;
+        ++graphs;
+        CompileRequest request;
+        request.graph = link(readGraph(entry.path()), library);
+        request.view = {512, 512};
+        for (std::uint32_t i = 0; i < 16; ++i) {
+            request.facts.translucentMaterials = i % 2;
+            request.facts.maxLayers = i % 2 * 3;
+            request.facts.lightViews = i / 2 % 2 * 6;
+            request.inputReads = i / 4 % 2 == 0 ? InputReads::StorageImage : InputReads::SampledImage;
+            request.skip = i / 8 == 0;
+            EXPECT_THAT(findHazards(compile(request)), IsEmpty()) << entry.path() << ", " << i;
+        }
+    }
+    EXPECT_GT(graphs, 0U);
 }
 
 /// What skipping and culling must keep to, checked without following the compiler's own steps.

@@ -16,7 +16,8 @@ class ScratchFolder {
         std::string name = (std::filesystem::temp_directory_path() / "nephrite-test-XXXXXX").string();
         if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make a temporary folder");
         path_ = name;
-        setenv("MESA_SHADER_CACHE_DIR", (path_ / "mesa").c_str(), 0);
+        setenv("MESA_SHADER_CACHE_DIR", (path_ / "mesa").c_str(), 1);
+        setenv("NEPHRITE_CACHE_DIR", (path_ / "cache").c_str(), 1);
     }
     ~ScratchFolder() {
         std::error_code ignored;

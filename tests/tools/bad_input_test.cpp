@@ -158,7 +158,7 @@ TEST_F(BadInput, Scenes) {
     expectSceneRefused(
         sceneWith(
             R"({"mesh": {"procedural": "sphere", "radius": 10}, "material": {"layers": [{"absorption": [-1, 0, 0], "scattering": [1, 1, 1]}]}})"),
-        "s.json:1:", {"absorption"});
+        "s.json:1:293", {"not negative", "-1"});
     expectSceneRefused(sceneWith(R"({"mesh": {"procedural": "sphere", "radius": 10}, "material": "aple"})"),
                        "s.json:1:", {"did you mean \"apple\"?"});
 }

@@ -70,7 +70,7 @@ std::vector<std::string> pagesWithCommands() {
     return names;
 }
 
-/// A copy of what the commands read, to run them in, with caches of its own.
+/// A copy of what the commands read, to run them in.
 class Pages : public testing::TestWithParam<std::string> {
   protected:
     Pages() {
@@ -81,16 +81,17 @@ class Pages : public testing::TestWithParam<std::string> {
             fs::copy(fs::path(NEPHRITE_SOURCE_DIR) / part, folder_ / part, fs::copy_options::recursive);
         }
         fs::create_directory(folder_ / "out");
-        const int keepOther = 0;  // tools/test.sh sets caches that all tests share
-        ::setenv("MESA_SHADER_CACHE_DIR", (folder_ / "mesa").c_str(), keepOther);
-        ::setenv("XDG_CACHE_HOME", (folder_ / "cache").c_str(), keepOther);
     }
     ~Pages() override { fs::remove_all(folder_); }
 
     /// Runs a call of the program and returns its exit status; what it printed goes to `printed`.
     int run(const std::string& arguments, std::string& printed) const {
         const fs::path log = folder_ / "log";
-        const std::string command = "cd '" + folder_.string() + "' && '" NEPHRITE_PROGRAM "' " + arguments;
+        // tools/test.sh sets caches that all tests share; otherwise they are the test's own.
+        const std::string folder = folder_.string();
+        const std::string command = "cd '" + folder + "' && MESA_SHADER_CACHE_DIR=${MESA_SHADER_CACHE_DIR:-" +
+                                    folder + "/mesa} XDG_CACHE_HOME=${XDG_CACHE_HOME:-" + folder +
+                                    "/cache} '" NEPHRITE_PROGRAM "' " + arguments;
         const int status = std::system(("{ " + command + "; } > '" + log.string() + "' 2>&1").c_str());
         std::ostringstream text;
         text << std::ifstream(log).rdbuf();

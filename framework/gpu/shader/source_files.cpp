@@ -62,7 +62,8 @@ void SourceFiles::resolve(std::size_t from, const ShaderSource& shader) {
         rest.remove_prefix(line.size());
     }
     const bool isIncluded = from >= chunkCount_;
-    texts_[from].resolved = isIncluded && shader.rewriteInclude ? shader.rewriteInclude(resolved) : std::move(resolved);
+    texts_[from].resolved =
+        isIncluded && shader.rewriteInclude ? shader.rewriteInclude(resolved) : std::move(resolved);
 }
 
 std::optional<std::size_t> SourceFiles::find(const SourceText& from, const std::string& requested,

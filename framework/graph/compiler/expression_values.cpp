@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "graph/compile.h"
 
 namespace nephrite::graph {
@@ -45,6 +47,10 @@ double ExpressionValues::at(Index node, const Expression& expression) {
     return expression.evaluate([&](const ExpressionName& name) {
         return valueOf(node, resolved[static_cast<std::size_t>(&name - names)]);
     });
+}
+
+double ExpressionValues::countAt(Index node, const Expression& expression) {
+    return std::trunc(at(node, expression) * (1 + 1e-12));
 }
 
 const std::vector<ExpressionValues::ResolvedName>& ExpressionValues::resolve(Index node,

@@ -22,6 +22,9 @@ class ExpressionValues {
 
     /// The value of `expression` at `node`. Throws InputError for a name that does not exist.
     double at(Index node, const Expression& expression);
+    /// The same for a number of things: cut to a whole number, as integer division does. Rounding errors of
+    /// the expression's own arithmetic do not lose a whole one.
+    double countAt(Index node, const Expression& expression);
     /// The value a node's parameter has.
     const ParameterValue& parameter(Index node, Index parameter) const;
 

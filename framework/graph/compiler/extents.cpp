@@ -108,7 +108,7 @@ class ExtentResolver {
     /// Elements in width. Whether they fit is checked with the element's size, in resolvePorts().
     Extent bufferExtent(Index node, Index port) {
         const OutputPort& output = work_.typeOf(node).outputs[port];
-        const double count = std::round(work_.values.at(node, output.bufferCount));
+        const double count = work_.values.countAt(node, output.bufferCount);
         constexpr double limit = 4294967295.0;
         if (count >= 0 && count <= limit) return {static_cast<std::uint32_t>(count), 1};
         if (runs(node)) {

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "graph/compiler/image_size.h"
 #include "graph/compiler/phases.h"
@@ -84,11 +83,11 @@ class ResourceMaker {
         return 1;
     }
 
-    /// The value of `expression`, rounded, if it lies in the range. A pass that is only cleared takes the
+    /// The value of `expression` if it lies in the range. A pass that is only cleared takes the
     /// nearest in range.
     std::uint32_t number(const Resource& resource, const OutputPort& output, const Expression& expression,
                          std::string_view what, std::uint32_t least, std::uint32_t most) {
-        const double value = std::round(work_.values.at(pass_.node, expression));
+        const double value = work_.values.countAt(pass_.node, expression);
         if (value >= least && value <= most) return static_cast<std::uint32_t>(value);
         if (onlyCleared_) return value > most ? most : std::max(least, 1U);
         fault(whereOf(expression, output), resource,
