@@ -68,7 +68,14 @@ DumpedFrame::DumpedFrame(const FrameRequest& request) {
     session.renderFrame(0);
     for (const std::string& port : options.dumps) images_.emplace(port, session.read(port));
     images_.emplace("color", session.read("color"));
-    plan_ = session.plan();
+    const graph::Plan& plan = session.plan();
+    for (const graph::Resource& resource : plan.resources) formats_.emplace(plan.nameOf(resource), resource.format);
+    for (const graph::PlannedPass& pass : plan.passes) {
+        const auto& declarations = plan.typeOf(pass).parameters;
+        for (std::size_t i = 0; i < declarations.size(); ++i)
+            parameters_.emplace(plan.nameOf(pass) + "." + declarations[i].name,
+                                plan.parameters[pass.parameters.first + i].components);
+    }
 }
 
 Texels DumpedFrame::texels(const std::string& port, std::uint32_t layer) const {
@@ -86,29 +93,8 @@ Texels DumpedFrame::texels(const std::string& port, std::uint32_t layer) const {
     return {static_cast<int>(source.width), static_cast<int>(source.height), std::move(values)};
 }
 
-std::vector<double> DumpedFrame::parameter(const std::string& node, const std::string& name) const {
-    for (const graph::PlannedPass& pass : plan_.passes) {
-        if (plan_.nameOf(pass) != node) continue;
-        const auto& declarations = plan_.typeOf(pass).parameters;
-        for (std::size_t i = 0; i < declarations.size(); ++i) {
-            if (declarations[i].name == name) return plan_.parameters[pass.parameters.first + i].components;
-        }
-    }
-    throw std::runtime_error("no parameter " + node + "." + name);
-}
-
-graph::NodeState DumpedFrame::state(const std::string& node) const {
-    for (std::size_t i = 0; i < plan_.nodes.size(); ++i) {
-        if (plan_.graph->description.nodes[i].name == node) return plan_.nodes[i].state;
-    }
-    throw std::runtime_error("no node " + node);
-}
-
-graph::Format DumpedFrame::format(const std::string& port) const {
-    for (const graph::Resource& resource : plan_.resources) {
-        if (plan_.nameOf(resource) == port) return resource.format;
-    }
-    throw std::runtime_error("no image " + port);
+const std::vector<double>& DumpedFrame::parameter(const std::string& node, const std::string& name) const {
+    return parameters_.at(node + "." + name);
 }
 
 }  // namespace nephrite::reference

@@ -32,14 +32,14 @@ class DumpedFrame {
     const image::Image& image(const std::string& port) const { return images_.at(port); }
     const std::map<std::string, image::Image>& images() const { return images_; }
 
-    /// A parameter of a node that ran.
-    std::vector<double> parameter(const std::string& node, const std::string& name) const;
-    graph::NodeState state(const std::string& node) const;
-    graph::Format format(const std::string& port) const;
+    /// The components of a parameter of a node that ran.
+    const std::vector<double>& parameter(const std::string& node, const std::string& name) const;
+    graph::Format format(const std::string& port) const { return formats_.at(port); }
 
   private:
-    graph::Plan plan_;
     std::map<std::string, image::Image> images_;
+    std::map<std::string, graph::Format> formats_;
+    std::map<std::string, std::vector<double>> parameters_;  ///< by "node.parameter"
 };
 
 /// The project's folder `graphs`.

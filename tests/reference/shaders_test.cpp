@@ -19,6 +19,9 @@ struct Case {
     std::vector<std::string> settings;
 };
 
+/// What a failing test prints of its case.
+void PrintTo(const Case& value, std::ostream* stream) { *stream << value.scene; }
+
 std::string nameOf(const testing::TestParamInfo<Case>& info) {
     std::string name =
         info.param.scene + (info.param.formats == Formats::Default ? "DefaultFormats" : "Float32");

@@ -40,7 +40,8 @@ std::size_t index(const json::Value& value, std::size_t below, std::string_view 
 std::optional<std::size_t> findIndex(const json::Value& object, std::string_view key, std::size_t below) {
     const std::optional<json::Value> value = object.find(key);
     if (!value) return std::nullopt;
-    return index(*value, below, fmt::format("what \"{}\" names", key));
+    if (below == 0) fail(*value, fmt::format("there is nothing that \"{}\" could name", key));
+    return natural(*value, below - 1, fmt::format("\"{}\"", key));
 }
 
 std::vector<float> numbers(const json::Value& value, std::size_t count, std::string_view what) {
