@@ -5,6 +5,9 @@
 
 #include <bit>
 
+#include "runtime/glsl_template.h"
+#include "runtime/image_port.h"
+
 namespace nephrite::runtime {
 namespace {
 
@@ -14,6 +17,41 @@ using graph::PlannedPass;
 using graph::Resource;
 
 constexpr std::uint32_t setIndex = 1;
+
+// An input without a source, or whose source is skipped.
+constexpr std::string_view neutralInput = R"(
+const @VECTOR@ neutral_@NAME@ = @VECTOR@(@VALUE@);
+ivec2 extent_@NAME@() { return ivec2(@WIDTH@, @HEIGHT@); }
+int layers_@NAME@() { return 1; }
+int levels_@NAME@() { return 1; }
+@VECTOR@ load_@NAME@(ivec2 p) { return neutral_@NAME@; }
+@VECTOR@ load_@NAME@(ivec2 p, int level) { return neutral_@NAME@; }
+@VECTOR@ loadLevel_@NAME@(ivec2 p, int level) { return neutral_@NAME@; }
+@VECTOR@ loadLayer_@NAME@(ivec2 p, int layer) { return neutral_@NAME@; }
+@VECTOR@ sample_@NAME@(vec2 uv) { return neutral_@NAME@; }
+@VECTOR@ sampleLevel_@NAME@(vec2 uv, float level) { return neutral_@NAME@; }
+@VECTOR@ sampleLayer_@NAME@(vec2 uv, int layer) { return neutral_@NAME@; }
+)";
+
+constexpr std::string_view pixelEntry = R"(
+void main() {
+    uvec2 p = gl_GlobalInvocationID.xy;
+    if (p.x < dispatch.width && p.y < dispatch.height) pixel(ivec2(p));
+}
+)";
+
+constexpr std::string_view fragmentEntry = R"(
+layout(location = 0) in vec3 fragmentPosition;
+layout(location = 1) in vec3 fragmentNormal;
+layout(location = 2) in vec2 fragmentUv;
+layout(location = 3) in flat uint fragmentMaterial;
+void main() {
+    float squaredLength = dot(fragmentNormal, fragmentNormal);
+    vec3 unit = squaredLength > 0.0 ? fragmentNormal * inversesqrt(squaredLength) : vec3(0.0, 0.0, 1.0);
+    vec3 towardsViewer = gl_FrontFacing ? unit : -unit;
+    fragment(Fragment(fragmentPosition, towardsViewer, fragmentUv, fragmentMaterial, ivec2(gl_FragCoord.xy), gl_FrontFacing));
+}
+)";
 
 /// Words of the parameter block, handed out one by one, and the GLSL that reads each back.
 class ParameterBlock {
@@ -169,21 +207,15 @@ class Builder {
     void addNeutralInput(const graph::InputPort& port, const InputRead& read) {
         const std::string& n = port.name;
         if (!port.bufferElement.empty()) return addNeutralBuffer(port);
-        const std::string width = block_.append(read.extent.width, "int");
-        const std::string height = block_.append(read.extent.height, "int");
         const bool isInteger = port.format && graph::info(*port.format).isUnsignedInteger;
-        const std::string_view vector = isInteger ? "uvec4" : "vec4";
         const auto& v = read.neutral;
-        line(fmt::format("const {0} neutral_{1} = {0}({2}, {3}, {4}, {5});", vector, n, floatLiteral(v[0]),
-                         floatLiteral(v[1]), floatLiteral(v[2]), floatLiteral(v[3])));
-        line(fmt::format("ivec2 extent_{}() {{ return ivec2({}, {}); }}", n, width, height));
-        line(fmt::format("int layers_{0}() {{ return 1; }} int levels_{0}() {{ return 1; }}", n));
-        for (const std::string_view signature :
-             {"load_{}(ivec2 p)", "load_{}(ivec2 p, int level)", "loadLevel_{}(ivec2 p, int level)",
-              "loadLayer_{}(ivec2 p, int layer)", "sample_{}(vec2 uv)",
-              "sampleLevel_{}(vec2 uv, float level)", "sampleLayer_{}(vec2 uv, int layer)"})
-            line(fmt::format("{} {} {{ return neutral_{}; }}", vector,
-                             fmt::format(fmt::runtime(signature), n), n));
+        const std::string value = fmt::format("{}, {}, {}, {}", floatLiteral(v[0]), floatLiteral(v[1]),
+                                              floatLiteral(v[2]), floatLiteral(v[3]));
+        text_ += fillIn(neutralInput, {{"NAME", n},
+                                       {"VECTOR", isInteger ? "uvec4" : "vec4"},
+                                       {"VALUE", value},
+                                       {"WIDTH", block_.append(read.extent.width, "int")},
+                                       {"HEIGHT", block_.append(read.extent.height, "int")}});
     }
 
     void addNeutralBuffer(const graph::InputPort& port) {
@@ -199,170 +231,41 @@ class Builder {
                          setIndex, binding, access, name, element, name));
     }
 
-    std::uint32_t addDescriptor(PortDescriptor::Kind kind, graph::Index resource, std::uint32_t mip = 0,
-                                bool allMips = false) {
+    std::uint32_t addDescriptor(PortDescriptor::Kind kind, graph::Index resource, std::uint32_t mip = 0) {
         const std::uint32_t binding = nextBinding_++;
-        result_.descriptors.push_back({kind, binding, resource, mip, allMips});
+        result_.descriptors.push_back({kind, binding, resource, mip});
         return binding;
     }
 
-    /// Type names of an image: vec4 or uvec4, image2D or uimage2DArray, ...
-    struct ImageTypes {
-        std::string vector;
-        std::string prefix;
-        std::string array;
-        std::string qualifier;
-    };
-    static ImageTypes imageTypes(const Resource& resource) {
-        const graph::FormatInfo& format = graph::info(resource.format);
-        return {format.isUnsignedInteger ? "uvec4" : "vec4", format.isUnsignedInteger ? "u" : "",
-                resource.layers > 1 ? "Array" : "", std::string(format.glslQualifier)};
-    }
-
-    /// GLSL for the array layer of an iteration's `layer`, clamped to its block.
-    std::string layerExpression(const Resource& resource, bool perIteration, std::string_view layer) const {
-        const std::uint32_t block = perIteration ? resource.layersPerIteration : resource.layers;
-        const std::string clamped = fmt::format("clamp({}, 0, {})", layer, block - 1);
-        return perIteration ? fmt::format("int(dispatch.iteration) * {} + {}", block, clamped) : clamped;
-    }
-
-    void addImageInput(const std::string& n, const Resource& resource, const InputRead& read) {
-        const ImageTypes t = imageTypes(resource);
+    void addImageInput(const std::string& name, const Resource& resource, const InputRead& read) {
+        const ImagePort port(name, resource, read.perIteration);
         const bool storage = plan_.inputReads == graph::InputReads::StorageImage &&
                              !graph::info(resource.format).isDepth && resource.mips == 1;
-        if (storage) {
-            const std::uint32_t binding = addDescriptor(PortDescriptor::Kind::StorageImage, read.resource);
-            line(fmt::format("layout(set = {}, binding = {}, {}) uniform readonly {}image2D{} input_{};",
-                             setIndex, binding, t.qualifier, t.prefix, t.array, n));
-        }
-        const std::uint32_t binding =
-            addDescriptor(PortDescriptor::Kind::SampledImage, read.resource, 0, true);
-        line(fmt::format("layout(set = {}, binding = {}) uniform {}sampler2D{} sampler_{};", setIndex,
-                         binding, t.prefix, t.array, n));
-        addExtent(n, storage);
-        addFetch(n, resource, t, storage);
-        addLoads(n, resource, read, t);
-        if (t.prefix.empty()) addSamples(n, resource, read);
+        if (storage)
+            text_ += port.readonlyImage(addDescriptor(PortDescriptor::Kind::StorageImage, read.resource));
+        text_ += port.sampler(addDescriptor(PortDescriptor::Kind::SampledImage, read.resource));
+        text_ += port.inputFunctions(storage, filterable_(resource.format));
     }
 
-    void addExtent(const std::string& n, bool storage) {
-        line(storage ? fmt::format("ivec2 extent_{0}() {{ return imageSize(input_{0}).xy; }} int "
-                                   "levels_{0}() {{ return 1; }}",
-                                   n)
-                     : fmt::format("ivec2 extent_{0}() {{ return textureSize(sampler_{0}, 0).xy; }} int "
-                                   "levels_{0}() {{ return textureQueryLevels(sampler_{0}); }}",
-                                   n));
-    }
-
-    /// fetch_NAME(p, layer of the whole image, level): the texel, p clamped to the level.
-    void addFetch(const std::string& n, const Resource& resource, const ImageTypes& t, bool storage) {
-        const std::string_view coordinate = resource.layers > 1 ? "ivec3(p, layer)" : "p";
-        if (storage) {
-            line(
-                fmt::format("{0} fetch_{1}(ivec2 p, int layer, int level) {{ p = clamp(p, ivec2(0), "
-                            "extent_{1}() - 1); return imageLoad(input_{1}, {2}); }}",
-                            t.vector, n, coordinate));
+    void addOutput(const std::string& name, graph::Index index) {
+        const Resource& resource = plan_.resources[index];
+        if (resource.isBuffer) return addBuffer(name, type_.outputs[resource.port].bufferElement, index, "");
+        const ImagePort port(name, resource, isForEach());
+        if (type_.kind == graph::PassKind::Raster) {
+            if (!graph::info(resource.format).isDepth) text_ += port.attachment(nextLocation_++);
+            text_ += port.attachmentFunctions();
             return;
         }
-        line(
-            fmt::format("{0} fetch_{1}(ivec2 p, int layer, int level) {{ level = clamp(level, 0, "
-                        "levels_{1}() - 1); p = clamp(p, ivec2(0), textureSize(sampler_{1}, level).xy - 1); "
-                        "return texelFetch(sampler_{1}, {2}, level); }}",
-                        t.vector, n, coordinate));
-    }
-
-    void addLoads(const std::string& n, const Resource& resource, const InputRead& read,
-                  const ImageTypes& t) {
-        const std::string zero = layerExpression(resource, read.perIteration, "0");
-        line(fmt::format("{0} load_{1}(ivec2 p) {{ return fetch_{1}(p, {2}, 0); }}", t.vector, n, zero));
-        line(fmt::format("{0} load_{1}(ivec2 p, int level) {{ return fetch_{1}(p, {2}, level); }}", t.vector,
-                         n, zero));
-        line(fmt::format("{0} loadLevel_{1}(ivec2 p, int level) {{ return fetch_{1}(p, {2}, level); }}",
-                         t.vector, n, zero));
-        line(fmt::format("{0} loadLayer_{1}(ivec2 p, int layer) {{ return fetch_{1}(p, {2}, 0); }}", t.vector,
-                         n, layerExpression(resource, read.perIteration, "layer")));
-        line(fmt::format("int layers_{}() {{ return {}; }}", n,
-                         read.perIteration ? resource.layersPerIteration : resource.layers));
-    }
-
-    void addSamples(const std::string& n, const Resource& resource, const InputRead& read) {
-        const std::string_view coordinate = resource.layers > 1 ? "vec3(uv, float(layer))" : "uv";
-        if (filterable_(resource.format)) {
-            line(
-                fmt::format("vec4 filter_{0}(vec2 uv, int layer, float level) {{ return "
-                            "textureLod(sampler_{0}, {1}, level); }}",
-                            n, coordinate));
-        } else {
-            // Some devices cannot filter 32-bit floats; the four texels are mixed here then, on the nearest
-            // level.
-            line(fmt::format(
-                "vec4 filter_{0}(vec2 uv, int layer, float level) {{ int l = int(level + 0.5); vec2 t = uv * "
-                "vec2(textureSize(sampler_{0}, l).xy) - 0.5; "
-                "ivec2 p = ivec2(floor(t)); vec2 f = t - floor(t); "
-                "return mix(mix(fetch_{0}(p, layer, l), fetch_{0}(p + ivec2(1, 0), layer, l), f.x), "
-                "mix(fetch_{0}(p + ivec2(0, 1), layer, l), fetch_{0}(p + ivec2(1, 1), layer, l), f.x), f.y); "
-                "}}",
-                n));
-        }
-        const std::string zero = layerExpression(resource, read.perIteration, "0");
-        line(fmt::format("vec4 sample_{0}(vec2 uv) {{ return filter_{0}(uv, {1}, 0.0); }}", n, zero));
-        line(fmt::format(
-            "vec4 sampleLevel_{0}(vec2 uv, float level) {{ return filter_{0}(uv, {1}, level); }}", n, zero));
-        line(fmt::format("vec4 sampleLayer_{0}(vec2 uv, int layer) {{ return filter_{0}(uv, {1}, 0.0); }}", n,
-                         layerExpression(resource, read.perIteration, "layer")));
-    }
-
-    void addOutput(const std::string& n, graph::Index index) {
-        const Resource& resource = plan_.resources[index];
-        if (resource.isBuffer) return addBuffer(n, type_.outputs[resource.port].bufferElement, index, "");
-        if (type_.kind == graph::PassKind::Raster) return addAttachment(n, resource);
-        const ImageTypes t = imageTypes(resource);
-        for (std::uint32_t mip = 0; mip < resource.mips; ++mip) {
-            const std::uint32_t binding = addDescriptor(PortDescriptor::Kind::StorageImage, index, mip);
-            line(fmt::format("layout(set = {}, binding = {}, {}) uniform writeonly {}image2D{} output_{}_{};",
-                             setIndex, binding, t.qualifier, t.prefix, t.array, n, mip));
-        }
-        addStores(n, resource, t);
-    }
-
-    void addStores(const std::string& n, const Resource& resource, const ImageTypes& t) {
-        const std::string_view coordinate = resource.layers > 1 ? "ivec3(p, layer)" : "p";
-        std::string cases;
         for (std::uint32_t mip = 0; mip < resource.mips; ++mip)
-            cases +=
-                fmt::format("case {0}: imageStore(output_{1}_{0}, {2}, value); break; ", mip, n, coordinate);
-        line(fmt::format("void put_{}(ivec2 p, int layer, int level, {} value) {{ switch (level) {{ {}}} }}",
-                         n, t.vector, cases));
-        const std::string zero = layerExpression(resource, isForEach(), "0");
-        line(fmt::format("void store_{0}(ivec2 p, {1} value) {{ put_{0}(p, {2}, 0, value); }}", n, t.vector,
-                         zero));
-        line(fmt::format(
-            "void storeLevel_{0}(ivec2 p, int level, {1} value) {{ put_{0}(p, {2}, level, value); }}", n,
-            t.vector, zero));
-        line(
-            fmt::format("void storeLayer_{0}(ivec2 p, int layer, {1} value) {{ put_{0}(p, {2}, 0, value); }}",
-                        n, t.vector, layerExpression(resource, isForEach(), "layer")));
-        line(
-            fmt::format("ivec2 extent_{0}() {{ return imageSize(output_{0}_0).xy; }} int levels_{0}() {{ "
-                        "return {1}; }} int layers_{0}() {{ return {2}; }}",
-                        n, resource.mips, isForEach() ? resource.layersPerIteration : resource.layers));
-    }
-
-    void addAttachment(const std::string& n, const Resource& resource) {
-        line(fmt::format("ivec2 extent_{}() {{ return ivec2(dispatch.width, dispatch.height); }}", n));
-        if (graph::info(resource.format).isDepth) return;
-        const ImageTypes t = imageTypes(resource);
-        line(fmt::format("layout(location = {}) out {} output_{};", nextLocation_++, t.vector, n));
-        line(fmt::format("void store_{0}(ivec2 p, {1} value) {{ output_{0} = value; }}", n, t.vector));
+            text_ += port.writeonlyImage(addDescriptor(PortDescriptor::Kind::StorageImage, index, mip), mip);
+        text_ += port.outputFunctions();
     }
 
     void addEntryPoint() {
         switch (type_.kind) {
             case graph::PassKind::Pixel:
                 line("layout(local_size_x = 8, local_size_y = 8) in;");
-                result_.entryPoint =
-                    "void main() { uvec2 p = gl_GlobalInvocationID.xy; if (p.x < dispatch.width && p.y < "
-                    "dispatch.height) pixel(ivec2(p)); }\n";
+                result_.entryPoint = pixelEntry;
                 break;
             case graph::PassKind::Raster:
                 addFragmentEntry();
@@ -384,18 +287,7 @@ class Builder {
         line(
             "struct Fragment { vec3 position; vec3 normal; vec2 uv; uint material; ivec2 pixel; bool front; "
             "};");
-        result_.entryPoint =
-            "layout(location = 0) in vec3 fragmentPosition;\n"
-            "layout(location = 1) in vec3 fragmentNormal;\n"
-            "layout(location = 2) in vec2 fragmentUv;\n"
-            "layout(location = 3) in flat uint fragmentMaterial;\n"
-            "void main() {\n"
-            "    float squaredLength = dot(fragmentNormal, fragmentNormal);\n"
-            "    vec3 unit = squaredLength > 0.0 ? fragmentNormal * inversesqrt(squaredLength) : vec3(0.0, "
-            "0.0, 1.0);\n"
-            "    fragment(Fragment(fragmentPosition, gl_FrontFacing ? unit : -unit, fragmentUv, "
-            "fragmentMaterial, ivec2(gl_FragCoord.xy), gl_FrontFacing));\n"
-            "}\n";
+        result_.entryPoint = fragmentEntry;
     }
 
     const Plan& plan_;

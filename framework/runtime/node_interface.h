@@ -19,8 +19,7 @@ struct PortDescriptor {
     Kind kind = Kind::StorageImage;
     std::uint32_t binding = 0;
     graph::Index resource = graph::noIndex;  ///< none for the parameter block
-    std::uint32_t mip = 0;                   ///< a storage image shows one level
-    bool allMips = false;                    ///< a sampled image shows every level
+    std::uint32_t mip = 0;                   ///< a storage image shows one level, a sampled image every one
 };
 
 /// A parameter component that is a specialization constant; its id is its index in

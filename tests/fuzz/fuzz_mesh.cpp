@@ -1,5 +1,5 @@
-// Fuzzes the mesh readers and what follows them. The first byte selects: P = PLY, O = OBJ, else glTF (with its check,
-// Assimp's import and one animated pose). Only InputError may come out.
+// Fuzzes the mesh readers and what follows them. The first byte selects: P = PLY, O = OBJ, else glTF (with
+// its check, Assimp's import and one animated pose). Only InputError may come out.
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -29,16 +29,19 @@ AnimatedMesh readGltf(std::string_view bytes, Diagnostics& diagnostics) {
 }
 
 void readStill(Mesh mesh, std::uint8_t selector, Diagnostics& diagnostics) {
-    constexpr TextureMapping mappings[] = {TextureMapping::file, TextureMapping::box, TextureMapping::spherical};
+    constexpr TextureMapping mappings[] = {TextureMapping::file, TextureMapping::box,
+                                           TextureMapping::spherical};
     prepare(mesh, mappings[selector % 3], file, diagnostics);
 }
 
 void read(std::uint8_t selector, std::string_view bytes) {
     Diagnostics diagnostics;
     if (selector == 'P') {
-        readStill(readPly(bytes, file, diagnostics), bytes.empty() ? 0 : static_cast<std::uint8_t>(bytes.back()), diagnostics);
+        readStill(readPly(bytes, file, diagnostics),
+                  bytes.empty() ? 0 : static_cast<std::uint8_t>(bytes.back()), diagnostics);
     } else if (selector == 'O') {
-        readStill(readObj(bytes, file), bytes.empty() ? 0 : static_cast<std::uint8_t>(bytes.back()), diagnostics);
+        readStill(readObj(bytes, file), bytes.empty() ? 0 : static_cast<std::uint8_t>(bytes.back()),
+                  diagnostics);
     } else {
         AnimatedMesh mesh = readGltf(bytes, diagnostics);
         const std::vector<std::string> clips = mesh.clipNames();

@@ -1,6 +1,8 @@
 // See graph_builder.h.
 #include "graph/graph_builder.h"
 
+#include <fmt/format.h>
+
 namespace nephrite::graph::tests {
 
 GraphBuilder::GraphBuilder() : contents_(std::make_shared<Contents>()) {
@@ -15,7 +17,7 @@ Index GraphBuilder::addNode(const PassType& type, const std::vector<LinkedInput>
                             NodeDescription description) {
     LinkedGraph& graph = contents_->graph;
     const auto index = static_cast<Index>(graph.nodes.size());
-    description.name = "n" + std::to_string(index);
+    description.name = fmt::format("n{}", index);
     description.passType = type.name;
     graph.description.nodes.push_back(std::move(description));
 
@@ -33,7 +35,7 @@ Index GraphBuilder::addNode(const PassType& type, const std::vector<LinkedInput>
 
 void GraphBuilder::addOutput(Index node, Index port) {
     contents_->graph.outputs.push_back(
-        {"output" + std::to_string(contents_->graph.outputs.size()), node, port, {}});
+        {fmt::format("output{}", contents_->graph.outputs.size()), node, port, {}});
 }
 
 std::shared_ptr<const LinkedGraph> GraphBuilder::build() const {
@@ -45,9 +47,9 @@ PassType passType(std::string name, PassKind kind, Index inputs, Index outputs) 
     type.name = std::move(name);
     type.kind = kind;
     type.inputs.resize(inputs);
-    for (Index i = 0; i < inputs; ++i) type.inputs[i].name = "in" + std::to_string(i);
+    for (Index i = 0; i < inputs; ++i) type.inputs[i].name = fmt::format("in{}", i);
     type.outputs.resize(outputs);
-    for (Index i = 0; i < outputs; ++i) type.outputs[i].name = "out" + std::to_string(i);
+    for (Index i = 0; i < outputs; ++i) type.outputs[i].name = fmt::format("out{}", i);
     return type;
 }
 

@@ -86,7 +86,7 @@ Index nodeNamed(const Plan& plan, std::string_view name) {
     const auto& nodes = plan.graph->description.nodes;
     const auto found =
         std::find_if(nodes.begin(), nodes.end(), [&](const auto& node) { return node.name == name; });
-    if (found == nodes.end()) throw std::out_of_range("no node " + std::string(name));
+    if (found == nodes.end()) throw std::out_of_range(fmt::format("no node {}", name));
     return static_cast<Index>(found - nodes.begin());
 }
 
@@ -107,7 +107,7 @@ std::vector<std::string> passNames(const Plan& plan) {
 const PlannedPass& passNamed(const Plan& plan, std::string_view node) {
     const auto found = std::find_if(plan.passes.begin(), plan.passes.end(),
                                     [&](const PlannedPass& pass) { return plan.nameOf(pass) == node; });
-    if (found == plan.passes.end()) throw std::out_of_range("no pass " + std::string(node));
+    if (found == plan.passes.end()) throw std::out_of_range(fmt::format("no pass {}", node));
     return *found;
 }
 
@@ -117,13 +117,13 @@ const InputRead& inputOf(const Plan& plan, std::string_view node, std::string_vi
     for (std::size_t i = 0; i < inputs.size(); ++i) {
         if (inputs[i].name == input) return plan.inputs[pass.inputs.first + i];
     }
-    throw std::out_of_range("no input " + std::string(input));
+    throw std::out_of_range(fmt::format("no input {}", input));
 }
 
 const Resource& resourceNamed(const Plan& plan, std::string_view name) {
     const auto found = std::find_if(plan.resources.begin(), plan.resources.end(),
                                     [&](const Resource& resource) { return plan.nameOf(resource) == name; });
-    if (found == plan.resources.end()) throw std::out_of_range("no resource " + std::string(name));
+    if (found == plan.resources.end()) throw std::out_of_range(fmt::format("no resource {}", name));
     return *found;
 }
 

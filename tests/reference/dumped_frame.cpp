@@ -69,7 +69,8 @@ DumpedFrame::DumpedFrame(const FrameRequest& request) {
     for (const std::string& port : options.dumps) images_.emplace(port, session.read(port));
     images_.emplace("color", session.read("color"));
     const graph::Plan& plan = session.plan();
-    for (const graph::Resource& resource : plan.resources) formats_.emplace(plan.nameOf(resource), resource.format);
+    for (const graph::Resource& resource : plan.resources)
+        formats_.emplace(plan.nameOf(resource), resource.format);
     for (const graph::PlannedPass& pass : plan.passes) {
         const auto& declarations = plan.typeOf(pass).parameters;
         for (std::size_t i = 0; i < declarations.size(); ++i)

@@ -121,8 +121,7 @@ Comparison Evaluation::compare(const std::string& port, Expected expected) const
 }
 
 Comparison Evaluation::lightViews() const {
-    // In texels from the middle of the picture's corner, so that a relative error of 1e-3 is a small part of
-    // a texel.
+    // The error is in texels: how far from its texel's centre a position projects.
     Comparison comparison{"light.position", Agreement(0, 1), 1e-2};
     for (const PointLight& light : lights_) {
         for (const LightView& view : light.views) {
@@ -133,7 +132,7 @@ Comparison Evaluation::lightViews() const {
                     const glm::dvec2 size(view.position.width(), view.position.height());
                     const glm::dvec2 offset =
                         uv ? *uv * size - glm::dvec2(x + 0.5, y + 0.5) : glm::dvec2(1e9);
-                    comparison.agreement.add({x, y}, glm::dvec3(offset, 1), glm::dvec3(0, 0, 1));
+                    comparison.agreement.add({x, y}, glm::dvec3(offset, 0), glm::dvec3(0));
                 }
             }
         }

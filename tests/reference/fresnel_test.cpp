@@ -21,6 +21,7 @@ TEST(Fresnel, NormalIncidenceReflectsTheSquaredIndexRatio) {
 TEST(Fresnel, GrazingIncidenceReflectsEverything) {
     EXPECT_DOUBLE_EQ(fresnelReflectance(0, 1.3), 1);
     EXPECT_DOUBLE_EQ(fresnelReflectance(0, 0.7), 1);
+    EXPECT_DOUBLE_EQ(fresnelReflectance(-0.1, 1.3), 1);
 }
 
 TEST(Fresnel, BrewsterAngleReflectsOnePolarisationOnly) {

@@ -9,18 +9,28 @@
 #include <iostream>
 
 #include "reference/evaluation.h"
+#include "reference/made_scenes.h"
 
 namespace nephrite::reference {
 namespace {
 
 struct Case {
-    std::string scene;
+    std::string scene;  ///< of graphs/scenes, or one made for the tests
     Formats formats = Formats::AllFloat32;
     std::vector<std::string> settings;
+    bool allLit = false;  ///< every term has light somewhere
 };
 
+std::filesystem::path fileOf(const std::string& scene) {
+    if (scene == "textured") return writeTexturedScene();
+    if (scene == "low-index") return writeLowIndexScene();
+    return graphFolder() / "scenes" / (scene + ".json");
+}
+
 /// What a failing test prints of its case.
-void PrintTo(const Case& value, std::ostream* stream) { *stream << value.scene; }
+void PrintTo(const Case& value, std::ostream* stream) {
+    *stream << value.scene;
+}
 
 std::string nameOf(const testing::TestParamInfo<Case>& info) {
     std::string name =
@@ -33,11 +43,13 @@ class Shaders : public testing::TestWithParam<Case> {
   protected:
     static constexpr std::uint32_t size = 128;
 
-    static void expectAgreement(const Comparison& comparison, double fraction = 0.999) {
+    void expectAgreement(const Comparison& comparison, double fraction = 0.999) const {
         const Agreement::Result result = comparison.agreement.measure(comparison.tolerance);
         std::cout << fmt::format("{:28} {}\n", comparison.what, result.summary());
         EXPECT_EQ(result.nonFinite, 0U) << comparison.what << ": " << result.summary();
         EXPECT_GE(result.fraction(), fraction) << comparison.what << ": " << result.summary();
+        const bool mayBeDark = !GetParam().allLit || comparison.what == "light.position";
+        EXPECT_TRUE(result.lit || mayBeDark) << comparison.what << " is black";
     }
 };
 
@@ -71,7 +83,7 @@ void expectCoverage(const DumpedFrame& frame, const Evaluation& evaluation) {
 }
 
 TEST_P(Shaders, AgreeWithTheirFormulas) {
-    const std::filesystem::path scene = graphFolder() / "scenes" / (GetParam().scene + ".json");
+    const std::filesystem::path scene = fileOf(GetParam().scene);
     const DumpedFrame frame({scene, {size, size}, GetParam().formats, GetParam().settings});
     const SceneData data = readSceneData(scene, size, size);
     const Evaluation evaluation(frame, data);
@@ -93,7 +105,10 @@ TEST_P(Shaders, AgreeWithTheirFormulas) {
 const std::vector<std::string> smallLight{"lightSize=256"};
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Shaders,
-                         testing::Values(Case{"sphere", Formats::AllFloat32, {}},
+                         testing::Values(Case{"textured", Formats::AllFloat32, smallLight, true},
+                                         Case{"textured", Formats::Default, smallLight, true},
+                                         Case{"low-index", Formats::AllFloat32, smallLight},
+                                         Case{"sphere", Formats::AllFloat32, {}},
                                          Case{"default", Formats::AllFloat32, smallLight},
                                          Case{"layers", Formats::AllFloat32, smallLight},
                                          Case{"environment", Formats::AllFloat32, smallLight},

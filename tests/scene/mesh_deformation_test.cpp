@@ -45,8 +45,8 @@ TEST(MeshDeformation, BendMakesAnArc) {
     const double angle = glm::radians(45.0);
     const double radius = 4.0 / glm::radians(90.0);
     expectNear(moved(bend, {0, 0, 0.3}, quarterPeriod), {0, 0, 0.3}, 1e-6);
-    expectNear(moved(bend, {0, 2, 0}, quarterPeriod), {radius * (1 - std::cos(angle)), radius * std::sin(angle), 0},
-               1e-6);
+    expectNear(moved(bend, {0, 2, 0}, quarterPeriod),
+               {radius * (1 - std::cos(angle)), radius * std::sin(angle), 0}, 1e-6);
     // A point nearer to the centre of the arc moves on a smaller circle.
     const double inner = radius - 0.5;
     expectNear(moved(bend, {0.5, -2, 1}, quarterPeriod),
@@ -69,7 +69,8 @@ TEST(MeshDeformation, NormalsStayPerpendicularToTheMovedSurface) {
     const glm::dvec3 u = glm::normalize(glm::dvec3(1, 2, 3));
     const glm::dvec3 v = glm::normalize(glm::cross(u, glm::dvec3(0.3, -1, 0.2)));
     const glm::dvec3 n = glm::cross(u, v);
-    for (const DeformationKind kind : {DeformationKind::twist, DeformationKind::bend, DeformationKind::pulse}) {
+    for (const DeformationKind kind :
+         {DeformationKind::twist, DeformationKind::bend, DeformationKind::pulse}) {
         Deformation deformation = make(kind);
         deformation.axis = glm::normalize(glm::dvec3(0.2, 1, -0.3));
         deformation.amount = 0.4;
@@ -110,7 +111,9 @@ TEST(MeshDeformation, DoesNotDependOnUnits) {
 TEST(MeshDeformation, ReadsItsParameters) {
     Diagnostics diagnostics;
     const std::optional<Deformation> bend = readDeformation(
-        json::parse(R"({"type": "bend", "axis": [0, 0, 2], "towards": [0, 1, 0], "degrees": 30, "period": 4})", "s.json"),
+        json::parse(
+            R"({"type": "bend", "axis": [0, 0, 2], "towards": [0, 1, 0], "degrees": 30, "period": 4})",
+            "s.json"),
         diagnostics);
     ASSERT_TRUE(bend);
     EXPECT_EQ(bend->kind, DeformationKind::bend);
@@ -119,7 +122,8 @@ TEST(MeshDeformation, ReadsItsParameters) {
     EXPECT_EQ(bend->degrees, 30.0);
     EXPECT_EQ(bend->period, 4.0);
     // Bending about x towards x is impossible, so the default direction gives way.
-    const auto sideways = readDeformation(json::parse(R"({"type": "bend", "axis": [1, 0, 0]})", "s.json"), diagnostics);
+    const auto sideways =
+        readDeformation(json::parse(R"({"type": "bend", "axis": [1, 0, 0]})", "s.json"), diagnostics);
     ASSERT_TRUE(sideways);
     expectNear(sideways->towards, {0, 1, 0}, 1e-12);
     EXPECT_THAT(diagnostics.errors(), IsEmpty());
@@ -135,7 +139,8 @@ TEST(MeshDeformation, NamesFaults) {
     };
     EXPECT_EQ(fault(R"({"type": "twits"})"),
               "s.json:1:10: error: expected twist, bend or pulse, found \"twits\", did you mean \"twist\"?");
-    EXPECT_THAT(fault(R"({"type": "twist", "axis": [0, 0, 0]})"), HasSubstr("s.json:1:27: error: \"axis\" needs"));
+    EXPECT_THAT(fault(R"({"type": "twist", "axis": [0, 0, 0]})"),
+                HasSubstr("s.json:1:27: error: \"axis\" needs"));
     EXPECT_THAT(fault(R"({"type": "twist", "period": 0})"), HasSubstr("\"period\" must be greater than 0"));
     EXPECT_THAT(fault(R"({"type": "pulse", "amount": 1})"), HasSubstr("\"amount\" must be between -1 and 1"));
     EXPECT_THAT(fault(R"({"type": "pulse", "degrees": 1})"), HasSubstr("degrees"));

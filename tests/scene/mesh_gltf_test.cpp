@@ -24,7 +24,8 @@ std::string base64(const std::string& bytes) {
         for (std::size_t k = 0; k < 3; ++k) {
             bits = bits << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
         }
-        for (std::size_t k = 0; k < 4; ++k) text += i + k > bytes.size() ? '=' : digits[(bits >> (18 - 6 * k)) & 63];
+        for (std::size_t k = 0; k < 4; ++k)
+            text += i + k > bytes.size() ? '=' : digits[(bits >> (18 - 6 * k)) & 63];
     }
     return text;
 }
@@ -35,20 +36,20 @@ std::string floats(std::initializer_list<float> values) {
     return bytes;
 }
 
-/// Accessor 0: three positions (0,0,0), (1,0,0), (0,1,0). 1: indices 0 1 2 as bytes. 2: displacements, z + 1 for the
-/// last vertex. 3: times 0, 1, 2. 4: weights 0, 1, -1. 5: joints (0 1 0 0) each. 6: weights, a third vertex half and
-/// half. 7: translations 0, +2x, +2x. 8: rotations none, 90 degrees about z, the same.
+/// Accessor 0: three positions (0,0,0), (1,0,0), (0,1,0). 1: indices 0 1 2 as bytes. 2: displacements, z + 1
+/// for the last vertex. 3: times 0, 1, 2. 4: weights 0, 1, -1. 5: joints (0 1 0 0) each. 6: weights, a third
+/// vertex half and half. 7: translations 0, +2x, +2x. 8: rotations none, 90 degrees about z, the same.
 std::string sharedData() {
-    std::string bytes = floats({0, 0, 0, 1, 0, 0, 0, 1, 0});              // 0
-    bytes += std::string("\0\1\2\0", 4);                                   // 36
-    bytes += floats({0, 0, 0, 0, 0, 0, 0, 0, 1});                          // 40
-    bytes += floats({0, 1, 2});                                            // 76
-    bytes += floats({0, 1, -1});                                           // 88
-    bytes += std::string("\0\1\0\0\0\1\0\0\0\1\0\0", 12);                  // 100
-    bytes += floats({1, 0, 0, 0, 0, 1, 0, 0, 0.5f, 0.5f, 0, 0});           // 112
-    bytes += floats({0, 0, 0, 2, 0, 0, 2, 0, 0});                          // 160
+    std::string bytes = floats({0, 0, 0, 1, 0, 0, 0, 1, 0});      // 0
+    bytes += std::string("\0\1\2\0", 4);                          // 36
+    bytes += floats({0, 0, 0, 0, 0, 0, 0, 0, 1});                 // 40
+    bytes += floats({0, 1, 2});                                   // 76
+    bytes += floats({0, 1, -1});                                  // 88
+    bytes += std::string("\0\1\0\0\0\1\0\0\0\1\0\0", 12);         // 100
+    bytes += floats({1, 0, 0, 0, 0, 1, 0, 0, 0.5f, 0.5f, 0, 0});  // 112
+    bytes += floats({0, 0, 0, 2, 0, 0, 2, 0, 0});                 // 160
     const float c = std::sqrt(0.5f);
-    bytes += floats({0, 0, 0, 1, 0, 0, c, c, 0, 0, c, c});                 // 196
+    bytes += floats({0, 0, 0, 1, 0, 0, c, c, 0, 0, c, c});  // 196
     return bytes;
 }
 
@@ -84,7 +85,9 @@ CheckedGltf check(const std::string& bytes) {
     return checkGltf(bytes, "m.gltf", loader);
 }
 
-RiggedMesh import(const std::string& bytes) { return importGltf(check(bytes), "m.gltf"); }
+RiggedMesh import(const std::string& bytes) {
+    return importGltf(check(bytes), "m.gltf");
+}
 
 std::string fault(const std::string& bytes) {
     return faultOf([&] { import(bytes); });
@@ -128,7 +131,8 @@ TEST(Gltf, AppliesTheTransformsOfNestedNodes) {
     // The mirrored triangle is turned back, so both still face +z.
     for (std::size_t i = 0; i < 6; i += 3) {
         const glm::dvec3 a = found[read.mesh.indices[i]];
-        EXPECT_GT(glm::cross(found[read.mesh.indices[i + 1]] - a, found[read.mesh.indices[i + 2]] - a).z, 0.0);
+        EXPECT_GT(glm::cross(found[read.mesh.indices[i + 1]] - a, found[read.mesh.indices[i + 2]] - a).z,
+                  0.0);
     }
 }
 
@@ -143,7 +147,8 @@ TEST(Gltf, ReadsSparseAccessors) {
         R"("count": 3, "type": "VEC3", "sparse": {"count": 1, "indices": {"bufferView": 0, "byteOffset": 38,
 "componentType": 5121}, "values": {"bufferView": 0, "byteOffset": 64}}})");
     // Index 2, at byte 38, is replaced by the three floats from byte 64: 0 0 1.
-    EXPECT_THAT(import(sparse).mesh.positions, ElementsAre(glm::vec3(0), glm::vec3(1, 0, 0), glm::vec3(0, 0, 1)));
+    EXPECT_THAT(import(sparse).mesh.positions,
+                ElementsAre(glm::vec3(0), glm::vec3(1, 0, 0), glm::vec3(0, 0, 1)));
 }
 
 constexpr const char* morphBody =
@@ -177,19 +182,22 @@ TEST(Gltf, MorphsAtRestAndInClips) {
 }
 
 TEST(Gltf, HoldsStepsAndFollowsSplines) {
-    AnimatedMesh steps = animated(document(replaced(morphBody, R"("output": 4)", R"("output": 4, "interpolation": "STEP")")));
+    AnimatedMesh steps =
+        animated(document(replaced(morphBody, R"("output": 4)", R"("output": 4, "interpolation": "STEP")")));
     ASSERT_TRUE(steps.play("wave"));
     EXPECT_NEAR(steps.at(0.999).positions[2].z, 0.0f, 1e-6f);
     EXPECT_NEAR(steps.at(1.0).positions[2].z, 1.0f, 1e-6f);
     EXPECT_NEAR(steps.at(1.999).positions[2].z, 1.0f, 1e-6f);
-    // Nine floats from byte 160 as spline keys (arriving, value, leaving): 0 0 0 | 2 0 0 | 2 0 0. All values are 0; the
-    // first segment arrives with slope 2, so it follows 2 (t^3 - t^2).
-    std::string spline = document(replaced(morphBody, R"("output": 4)", R"("output": 7, "interpolation": "CUBICSPLINE")"));
+    // Nine floats from byte 160 as spline keys (arriving, value, leaving): 0 0 0 | 2 0 0 | 2 0 0. All values
+    // are 0; the first segment arrives with slope 2, so it follows 2 (t^3 - t^2).
+    std::string spline =
+        document(replaced(morphBody, R"("output": 4)", R"("output": 7, "interpolation": "CUBICSPLINE")"));
     spline = replaced(spline, R"("byteOffset": 160, "componentType": 5126, "count": 3, "type": "VEC3")",
                       R"("byteOffset": 160, "componentType": 5126, "count": 9, "type": "SCALAR")");
     AnimatedMesh curve = animated(spline);
     ASSERT_TRUE(curve.play("wave"));
-    for (const double t : {0.25, 0.5, 0.75}) EXPECT_NEAR(curve.at(t).positions[2].z, 2 * (t * t * t - t * t), 1e-5);
+    for (const double t : {0.25, 0.5, 0.75})
+        EXPECT_NEAR(curve.at(t).positions[2].z, 2 * (t * t * t - t * t), 1e-5);
 }
 
 constexpr const char* skinBody =
@@ -207,29 +215,38 @@ TEST(Gltf, SkinsByBlendingJoints) {
     EXPECT_THAT(mesh.clipNames(), ElementsAre("animation 0"));
     ASSERT_TRUE(mesh.play("animation 0"));
     const Pose pose = mesh.at(1.0);
-    expectNear(pose.positions[0], {0, 0, 0}, 1e-5);              // at joint 0's centre
-    expectNear(pose.positions[1], {3, 0, 0}, 1e-5);              // joint 1 moves by 2
+    expectNear(pose.positions[0], {0, 0, 0}, 1e-5);                 // at joint 0's centre
+    expectNear(pose.positions[1], {3, 0, 0}, 1e-5);                 // joint 1 moves by 2
     expectNear(pose.positions[2], {0.5 * (-1 + 2), 0.5, 0}, 1e-5);  // half of each: (-1, 0, 0) and (2, 1, 0)
     expectNear(mesh.at(0.5).positions[1], {2, 0, 0}, 1e-5);
 }
 
 TEST(Gltf, RefusesFaultyDocuments) {
     const std::string good = document(plainBody);
-    EXPECT_EQ(fault(replaced(good, "\"2.0\"", "\"1.0\"")), "m.gltf:1:23: error: expected glTF version 2, found \"1.0\"");
-    EXPECT_THAT(fault(replaced(good, "\"indices\": 1", "\"indices\": 99")), HasSubstr("m.gltf:3:71: error: expected \"indices\" from 0 to 8, found 99"));
+    EXPECT_EQ(fault(replaced(good, "\"2.0\"", "\"1.0\"")),
+              "m.gltf:1:23: error: expected glTF version 2, found \"1.0\"");
+    EXPECT_THAT(fault(replaced(good, "\"indices\": 1", "\"indices\": 99")),
+                HasSubstr("m.gltf:3:71: error: expected \"indices\" from 0 to 8, found 99"));
     EXPECT_THAT(fault(replaced(good, "\"mesh\": 0", "\"mesh\": -1")), HasSubstr("m.gltf:2:48: error: "));
-    EXPECT_THAT(fault(replaced(good, "\"byteLength\": 244}", "\"byteLength\": 245}")), HasSubstr("beyond the buffer's"));
-    EXPECT_THAT(fault(replaced(good, "\"byteLength\": 244, \"uri\"", "\"byteLength\": 999, \"uri\"")), HasSubstr("truncated"));
+    EXPECT_THAT(fault(replaced(good, "\"byteLength\": 244}", "\"byteLength\": 245}")),
+                HasSubstr("beyond the buffer's"));
+    EXPECT_THAT(fault(replaced(good, "\"byteLength\": 244, \"uri\"", "\"byteLength\": 999, \"uri\"")),
+                HasSubstr("truncated"));
     EXPECT_THAT(fault(replaced(good, "\"count\": 3", "\"count\": 30")), HasSubstr("do not fit"));
     EXPECT_THAT(fault(replaced(good, "\"count\": 3", "\"count\": 0")), HasSubstr("\"count\""));
     EXPECT_THAT(fault(replaced(good, "\"byteOffset\": 0", "\"byteOffset\": 240")), HasSubstr("do not fit"));
-    EXPECT_THAT(fault(replaced(good, "\"byteOffset\": 36", "\"byteOffset\": 73")), HasSubstr("the indices name vertex 128, but there are 3"));
+    EXPECT_THAT(fault(replaced(good, "\"byteOffset\": 36", "\"byteOffset\": 73")),
+                HasSubstr("the indices name vertex 128, but there are 3"));
     EXPECT_THAT(fault(replaced(good, "5126", "5127")), HasSubstr("unknown component type 5127"));
-    EXPECT_THAT(fault(replaced(good, "\"VEC3\"", "\"VEC2\"")), HasSubstr("expected an accessor of type VEC3, found VEC2"));
+    EXPECT_THAT(fault(replaced(good, "\"VEC3\"", "\"VEC2\"")),
+                HasSubstr("expected an accessor of type VEC3, found VEC2"));
     EXPECT_THAT(fault(replaced(good, ";base64,", ";base64,*")), HasSubstr("base64"));
-    EXPECT_THAT(fault(replaced(good, "data:application/octet-stream;base64,", "gone.bin?")), HasSubstr("no such file gone.bin?"));
-    EXPECT_THAT(fault(replaced(good, "data:application/octet-stream;base64,", "/etc/")), HasSubstr("expected a relative path"));
-    EXPECT_THAT(fault(replaced(good, "\"scenes\"", "\"extensionsRequired\": [\"KHR_draco_mesh_compression\"], \"scenes\"")),
+    EXPECT_THAT(fault(replaced(good, "data:application/octet-stream;base64,", "gone.bin?")),
+                HasSubstr("no such file gone.bin?"));
+    EXPECT_THAT(fault(replaced(good, "data:application/octet-stream;base64,", "/etc/")),
+                HasSubstr("expected a relative path"));
+    EXPECT_THAT(fault(replaced(good, "\"scenes\"",
+                               "\"extensionsRequired\": [\"KHR_draco_mesh_compression\"], \"scenes\"")),
                 HasSubstr("requires the extension KHR_draco_mesh_compression"));
     EXPECT_THAT(fault(replaced(good, "[{\"mesh\": 0}]", "[{}]")), HasSubstr("no triangles"));
     EXPECT_THAT(fault("{"), HasSubstr("m.gltf:"));
@@ -238,13 +255,16 @@ TEST(Gltf, RefusesFaultyDocuments) {
 
 TEST(Gltf, RefusesCyclesAndSharedChildren) {
     const std::string good = document(plainBody);
-    EXPECT_THAT(fault(replaced(good, "[{\"mesh\": 0}]", "[{\"mesh\": 0, \"children\": [0]}]")), HasSubstr("cycle"));
-    EXPECT_THAT(fault(replaced(good, "[{\"mesh\": 0}]",
-                               "[{\"mesh\": 0, \"children\": [1, 2]}, {\"children\": [3]}, {\"children\": [3]}, {}]")),
+    EXPECT_THAT(fault(replaced(good, "[{\"mesh\": 0}]", "[{\"mesh\": 0, \"children\": [0]}]")),
+                HasSubstr("cycle"));
+    EXPECT_THAT(fault(replaced(
+                    good, "[{\"mesh\": 0}]",
+                    "[{\"mesh\": 0, \"children\": [1, 2]}, {\"children\": [3]}, {\"children\": [3]}, {}]")),
                 HasSubstr("node 3 is named twice"));
     std::string chain = "[";
     for (int i = 1; i <= 300; ++i) chain += "{\"children\": [" + std::to_string(i) + "]}, ";
-    EXPECT_THAT(fault(replaced(good, "[{\"mesh\": 0}]", chain + "{\"mesh\": 0}]")), HasSubstr("nested more than 256"));
+    EXPECT_THAT(fault(replaced(good, "[{\"mesh\": 0}]", chain + "{\"mesh\": 0}]")),
+                HasSubstr("nested more than 256"));
 }
 
 TEST(Gltf, RefusesFaultySkinsAndAnimations) {
@@ -252,14 +272,18 @@ TEST(Gltf, RefusesFaultySkinsAndAnimations) {
                 HasSubstr("a vertex follows joint 1, but the skin has 1"));
     EXPECT_THAT(fault(document(replaced(skinBody, "\"nodes\": [0, 1, 2]", "\"nodes\": [0, 1]"))),
                 HasSubstr("joint 2 is not in the scene"));
-    EXPECT_THAT(fault(document(replaced(skinBody, "\"joints\": [1, 2]", "\"joints\": [1, 2], \"inverseBindMatrices\": 0"))),
+    EXPECT_THAT(fault(document(replaced(skinBody, "\"joints\": [1, 2]",
+                                        "\"joints\": [1, 2], \"inverseBindMatrices\": 0"))),
                 HasSubstr("expected an accessor of type MAT4"));
-    EXPECT_THAT(fault(document(replaced(morphBody, "\"input\": 3", "\"input\": 4"))), HasSubstr("key times must ascend"));
+    EXPECT_THAT(fault(document(replaced(morphBody, "\"input\": 3", "\"input\": 4"))),
+                HasSubstr("key times must ascend"));
     EXPECT_THAT(fault(document(replaced(morphBody, "\"output\": 4", "\"output\": 1"))), testing::IsEmpty());
-    EXPECT_THAT(fault(document(replaced(morphBody, "\"output\": 4", "\"output\": 4, \"interpolation\": \"CUBICSPLINE\""))),
+    EXPECT_THAT(fault(document(replaced(morphBody, "\"output\": 4",
+                                        "\"output\": 4, \"interpolation\": \"CUBICSPLINE\""))),
                 HasSubstr("3 key times need 9 values, found 3"));
-    EXPECT_THAT(fault(document(replaced(morphBody, "\"output\": 4", "\"output\": 4, \"interpolation\": \"CUBIC\""))),
-                HasSubstr("found \"CUBIC\""));
+    EXPECT_THAT(
+        fault(document(replaced(morphBody, "\"output\": 4", "\"output\": 4, \"interpolation\": \"CUBIC\""))),
+        HasSubstr("found \"CUBIC\""));
 }
 
 TEST(Gltf, SurvivesTruncationAtEveryByteOfAGlb) {

@@ -1,5 +1,5 @@
-// Real files: the published meshes and animated models, where they are at hand (NEPHRITE_MODELS names their folder,
-// else ../shared/models beside the source), and the faults of loading by name.
+// Real files: the published meshes and animated models, where they are at hand (NEPHRITE_MODELS names their
+// folder, else ../shared/models beside the source), and the faults of loading by name.
 #include <gmock/gmock.h>
 
 #include <cstdlib>
@@ -81,7 +81,8 @@ TEST_F(MeshModels, FoxRunsAndReturns) {
             moved.positions = pose.positions;
             EXPECT_NEAR(enclosedVolume(moved) / volume, 1.0, 0.1) << clip;
             for (std::size_t i = 0; i < pose.positions.size(); ++i) {
-                farthest = std::max(farthest, double{glm::distance(pose.positions[i], fox.rest().positions[i])});
+                farthest =
+                    std::max(farthest, double{glm::distance(pose.positions[i], fox.rest().positions[i])});
                 EXPECT_NEAR(glm::length(pose.normals[i]), 1.0f, 1e-4f);
             }
         }
@@ -124,11 +125,14 @@ TEST(MeshLoading, NamesFilesThatCannotBeLoaded) {
     const fs::path folder = fs::path(testing::TempDir()) / "nephrite-mesh-loading.ply";
     fs::create_directories(folder);
     EXPECT_EQ(fault("gone.ply"), "gone.ply: error: no such file");
-    EXPECT_EQ(fault("gone.stl"), "gone.stl: error: unknown mesh format \".stl\", expected .ply, .obj, .gltf or .glb");
+    EXPECT_EQ(fault("gone.stl"),
+              "gone.stl: error: unknown mesh format \".stl\", expected .ply, .obj, .gltf or .glb");
     EXPECT_EQ(fault(folder), folder.string() + ": error: not a file");
     const fs::path gltf = folder / "lone.gltf";
-    std::ofstream(gltf) << "{\"asset\": {\"version\": \"2.0\"},\n\"buffers\": [{\"byteLength\": 4, \"uri\": \"gone.bin\"}]}";
-    EXPECT_EQ(fault(gltf), gltf.string() + ":2:38: error: \"" + (folder / "gone.bin").string() + "\": no such file");
+    std::ofstream(gltf)
+        << "{\"asset\": {\"version\": \"2.0\"},\n\"buffers\": [{\"byteLength\": 4, \"uri\": \"gone.bin\"}]}";
+    EXPECT_EQ(fault(gltf),
+              gltf.string() + ":2:38: error: \"" + (folder / "gone.bin").string() + "\": no such file");
     fs::remove_all(folder);
 }
 
@@ -140,7 +144,8 @@ TEST(MeshLoading, LoadsAnObjByItsUpperCaseName) {
     fs::remove(path);
     EXPECT_EQ(mesh.rest().triangleCount(), 1u);
     ASSERT_EQ(diagnostics.warnings().size(), 1u);
-    EXPECT_THAT(diagnostics.warnings().front().message, HasSubstr("dropped 1 degenerate triangle (no area) of 2"));
+    EXPECT_THAT(diagnostics.warnings().front().message,
+                HasSubstr("dropped 1 degenerate triangle (no area) of 2"));
     EXPECT_EQ(mesh.at(1.0).positions, mesh.rest().positions);
     EXPECT_FALSE(mesh.animated());
 }

@@ -44,20 +44,21 @@ TEST(Obj, ReadsMixedCorners) {
         normals.push_back(mesh.normals[i]);
         texture.push_back(mesh.textureCoordinates[i]);
     }
-    EXPECT_THAT(positions, ElementsAre(glm::vec3(0, 0, 0), glm::vec3(1, 0, 0), glm::vec3(1, 1, 0), glm::vec3(0, 0, 0),
-                                       glm::vec3(1, 1, 0), glm::vec3(0, 1, 0)));
+    EXPECT_THAT(positions, ElementsAre(glm::vec3(0, 0, 0), glm::vec3(1, 0, 0), glm::vec3(1, 1, 0),
+                                       glm::vec3(0, 0, 0), glm::vec3(1, 1, 0), glm::vec3(0, 1, 0)));
     const glm::vec3 up(0, 0, 2);
     const glm::vec3 none(0);
     EXPECT_THAT(normals, ElementsAre(up, up, none, up, none, none));
     // v is turned downwards; a missing one is 0, so 1 after turning.
-    EXPECT_THAT(texture, ElementsAre(glm::vec2(0.25f, 0.75f), glm::vec2(0), glm::vec2(0.5f, 1), glm::vec2(0.25f, 0.75f),
-                                     glm::vec2(0), glm::vec2(0)));
+    EXPECT_THAT(texture, ElementsAre(glm::vec2(0.25f, 0.75f), glm::vec2(0), glm::vec2(0.5f, 1),
+                                     glm::vec2(0.25f, 0.75f), glm::vec2(0), glm::vec2(0)));
 }
 
 TEST(Obj, PassesOverCommentsContinuationsGroupsAndWindowsLines) {
     const Mesh mesh = readObj(
         "# a comment\r\nmtllib a.mtl\r\no thing\r\ng one two\r\ns off\r\nusemtl red\r\n"
-        "v 0 0 \\\r\n 0\r\n v 1 0 0 # at the end\r\nv\t1 1 0\r\nvt 0.5 # only u\r\nl 1 2\r\n\r\nf 1 2\\\n 3 # face",
+        "v 0 0 \\\r\n 0\r\n v 1 0 0 # at the end\r\nv\t1 1 0\r\nvt 0.5 # only u\r\nl 1 2\r\n\r\nf 1 2\\\n 3 "
+        "# face",
         "m.obj");
     EXPECT_THAT(mesh.positions, ElementsAre(glm::vec3(0), glm::vec3(1, 0, 0), glm::vec3(1, 1, 0)));
     EXPECT_EQ(mesh.triangleCount(), 1u);
@@ -72,7 +73,8 @@ TEST(Obj, NamesThePlaceOfFaults) {
     EXPECT_EQ(fault(square + "f 1 2 0\n"), "m.obj:5:7: error: a face names v 0, but there are 4 so far");
     EXPECT_EQ(fault(square + "f 1 2 -5\n"), "m.obj:5:7: error: a face names v -5, but there are 4 so far");
     EXPECT_EQ(fault(square + "f 1 2/1 3\n"), "m.obj:5:5: error: a face names vt 1, but there are 0 so far");
-    EXPECT_EQ(fault(square + "f 1 2 \\\n  3//7\n"), "m.obj:6:3: error: a face names vn 7, but there are 0 so far");
+    EXPECT_EQ(fault(square + "f 1 2 \\\n  3//7\n"),
+              "m.obj:6:3: error: a face names vn 7, but there are 0 so far");
     EXPECT_EQ(fault(square + "f 1 2\n"), "m.obj:5:6: error: a face needs at least 3 corners, found 2");
     EXPECT_EQ(fault(square + "f 1 2 3a\n"), "m.obj:5:7: error: expected a corner like 1/2/3, found \"3a\"");
     EXPECT_THAT(fault("usemlt red\n"), HasSubstr("did you mean \"usemtl\"?"));

@@ -30,8 +30,9 @@ std::string binaryQuad(bool little) {
     const bool reversed = little != hostIsLittle;
     std::string bytes = "ply\nformat binary_";
     bytes += little ? "little" : "big";
-    bytes += "_endian 1.0\nelement vertex 4\nproperty double x\nproperty float y\nproperty short z\n"
-             "element face 1\nproperty list uchar ushort vertex_index\nend_header\n";
+    bytes +=
+        "_endian 1.0\nelement vertex 4\nproperty double x\nproperty float y\nproperty short z\n"
+        "element face 1\nproperty list uchar ushort vertex_index\nend_header\n";
     constexpr std::int16_t corners[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
     for (const auto& corner : corners) {
         bytes += bytesOf(static_cast<double>(corner[0]), reversed);
@@ -60,7 +61,8 @@ TEST(Ply, ReadsBothByteOrders) {
 TEST(Ply, ReadsOddOrdersExtraPropertiesAndElements) {
     const Mesh mesh = read(
         "ply\r\nformat ascii 1.0\r\nelement edge 1\r\nproperty int a\r\nproperty list uchar int b\r\n"
-        "element vertex 3\r\nproperty uchar red\r\nproperty float nz\r\nproperty float t\r\nproperty float z\r\n"
+        "element vertex 3\r\nproperty uchar red\r\nproperty float nz\r\nproperty float t\r\nproperty float "
+        "z\r\n"
         "property list uchar float junk\r\nproperty float ny\r\nproperty float x\r\nproperty float s\r\n"
         "property float y\r\nproperty float nx\r\nelement face 1\r\nproperty uchar flags\r\n"
         "property list uint8 uint32 vertex_indices\r\nend_header\r\n"
@@ -69,10 +71,12 @@ TEST(Ply, ReadsOddOrdersExtraPropertiesAndElements) {
         "0 6 0 60 0 5 40 1 50 4\r\n\r\n"
         "0 0 1 +1e1 0 0 7 0 8 0\r\n"
         "9 3 2 1 0\r\n");
-    EXPECT_THAT(mesh.positions, ElementsAre(glm::vec3(10, 20, 30), glm::vec3(40, 50, 60), glm::vec3(7, 8, 10)));
+    EXPECT_THAT(mesh.positions,
+                ElementsAre(glm::vec3(10, 20, 30), glm::vec3(40, 50, 60), glm::vec3(7, 8, 10)));
     EXPECT_THAT(mesh.normals, ElementsAre(glm::vec3(1, 2, 3), glm::vec3(4, 5, 6), glm::vec3(0, 0, 0)));
     // v is turned downwards.
-    EXPECT_THAT(mesh.textureCoordinates, ElementsAre(glm::vec2(0.5f, 0.75f), glm::vec2(1, 1), glm::vec2(0, 0)));
+    EXPECT_THAT(mesh.textureCoordinates,
+                ElementsAre(glm::vec2(0.5f, 0.75f), glm::vec2(1, 1), glm::vec2(0, 0)));
     EXPECT_THAT(mesh.indices, ElementsAre(2u, 1u, 0u));
 }
 
@@ -101,7 +105,8 @@ TEST(Ply, NamesThePlaceOfTextFaults) {
               "m.ply:12:4: error: expected a vertex's number, found the end of the line");
     EXPECT_EQ(fault(asciiHeader + "0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n"),
               "m.ply:14:7: error: a face names vertex 3, but there are 3 vertices (0 to 2)");
-    EXPECT_THAT(fault(asciiHeader + "0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n"), HasSubstr("m.ply:14:7: error: a face names"));
+    EXPECT_THAT(fault(asciiHeader + "0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n"),
+                HasSubstr("m.ply:14:7: error: a face names"));
     EXPECT_EQ(fault(asciiHeader + "0 0 0\n1 0 0\n0 1 0\n2 0 1\n"),
               "m.ply:14:1: error: a face has 2 corners, but needs at least 3");
 }
@@ -111,12 +116,16 @@ TEST(Ply, NamesTheByteOfBinaryFaults) {
     const std::size_t body = quad.find("end_header\n") + 11;
     std::string bytes = quad;
     bytes.replace(body + 14 + 8, 4, bytesOf(std::numeric_limits<float>::infinity(), !hostIsLittle));
-    EXPECT_EQ(fault(bytes), "m.ply: error: expected a vertex's number, found inf, which is not a finite number "
-                            "(element at byte " + std::to_string(body + 14) + ")");
+    EXPECT_EQ(fault(bytes),
+              "m.ply: error: expected a vertex's number, found inf, which is not a finite number "
+              "(element at byte " +
+                  std::to_string(body + 14) + ")");
     bytes = quad;
     bytes.back() = '\x01';  // the last index becomes 0x0103
-    EXPECT_EQ(fault(bytes), "m.ply: error: a face names vertex 259, but there are 4 vertices (0 to 3) (element at "
-                            "byte " + std::to_string(body + 4 * 14) + ")");
+    EXPECT_EQ(fault(bytes),
+              "m.ply: error: a face names vertex 259, but there are 4 vertices (0 to 3) (element at "
+              "byte " +
+                  std::to_string(body + 4 * 14) + ")");
 }
 
 TEST(Ply, RefusesCountsTheFileCannotHold) {
@@ -135,9 +144,10 @@ TEST(Ply, RefusesCountsTheFileCannotHold) {
 TEST(Ply, RefusesMissingParts) {
     EXPECT_THAT(fault("ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nend_header\n"),
                 HasSubstr("no element \"face\""));
-    EXPECT_THAT(fault("ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\nelement face 0\n"
-                      "property list uchar int vertex_indices\nend_header\n"),
-                HasSubstr("m.ply:3:1: error: element \"vertex\" needs the properties x, y and z"));
+    EXPECT_THAT(
+        fault("ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\nelement face 0\n"
+              "property list uchar int vertex_indices\nend_header\n"),
+        HasSubstr("m.ply:3:1: error: element \"vertex\" needs the properties x, y and z"));
     EXPECT_THAT(fault(asciiHeader.substr(0, asciiHeader.size() - 12)), HasSubstr("end_header"));
     EXPECT_THAT(fault(""), HasSubstr("not a PLY file"));
 }

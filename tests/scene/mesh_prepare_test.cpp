@@ -88,7 +88,8 @@ TEST(MeshPrepare, RefusesWhatCannotBeDrawn) {
     EXPECT_THAT(faultOf([&] { prepare(endless, std::nullopt, "m.obj", diagnostics); }),
                 HasSubstr("m.obj: error: vertex 2 is at (0, inf, 0)"));
     endless.positions[2].y = 1e20f;
-    EXPECT_THAT(faultOf([&] { prepare(endless, std::nullopt, "m.obj", diagnostics); }), HasSubstr("at most 1e+15"));
+    EXPECT_THAT(faultOf([&] { prepare(endless, std::nullopt, "m.obj", diagnostics); }),
+                HasSubstr("at most 1e+15"));
 }
 
 TEST(MeshPrepare, SmoothNormalsOfACubePointAlongItsDiagonals) {
@@ -139,9 +140,11 @@ TEST(MeshPrepare, BoxMappingShowsEverySideUpright) {
     for (std::size_t i = 0; i < cube.indices.size(); i += 3) {
         const glm::vec3 p[3] = {cube.positions[cube.indices[i]], cube.positions[cube.indices[i + 1]],
                                 cube.positions[cube.indices[i + 2]]};
-        const glm::vec2 uv[3] = {cube.textureCoordinates[cube.indices[i]], cube.textureCoordinates[cube.indices[i + 1]],
+        const glm::vec2 uv[3] = {cube.textureCoordinates[cube.indices[i]],
+                                 cube.textureCoordinates[cube.indices[i + 1]],
                                  cube.textureCoordinates[cube.indices[i + 2]]};
-        // Not mirrored (v runs downwards, so a counter-clockwise triangle has negative area) and not stretched.
+        // Not mirrored (v runs downwards, so a counter-clockwise triangle has negative area) and not
+        // stretched.
         const glm::vec2 a = uv[1] - uv[0];
         const glm::vec2 b = uv[2] - uv[0];
         EXPECT_NEAR(a.x * b.y - a.y * b.x, -1.0f, 1e-6f);
@@ -194,7 +197,8 @@ TEST(MeshPrepare, MappingDefaultsToTheFilesOrABox) {
 }
 
 TEST(MeshPrepare, KnowsItsMappingsByName) {
-    for (const std::string_view name : textureMappingNames) EXPECT_TRUE(textureMapping(name).has_value()) << name;
+    for (const std::string_view name : textureMappingNames)
+        EXPECT_TRUE(textureMapping(name).has_value()) << name;
     EXPECT_FALSE(textureMapping("boxes").has_value());
 }
 

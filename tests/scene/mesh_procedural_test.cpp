@@ -159,7 +159,8 @@ TEST(MeshProcedural, TeapotHasNewellsShape) {
     expectFinished(pot);
     EXPECT_EQ(pot.triangleCount(), 6400u);
     const Box box = boundingBox(pot.positions);
-    // The body's control points reach 2, the handle's curve -3; the lid's top and the bottom are interpolated.
+    // The body's control points reach 2, the handle's curve -3; the lid's top and the bottom are
+    // interpolated.
     expectNear(box.minimum, {-3.0, 0.0, -2.0}, 1e-6);
     EXPECT_FLOAT_EQ(box.maximum.y, 3.15f);
     EXPECT_FLOAT_EQ(box.maximum.z, 2.0f);
@@ -177,8 +178,8 @@ TEST(MeshProcedural, TeapotIsMirrorSymmetricAndWithoutCracks) {
         EXPECT_LE(use.triangles, 2);
         open += use.triangles == 1 ? 1 : 0;
     }
-    // Only the real rims are open: of the body and of the lid (40 edges each), and both ends of handle and spout
-    // (20 edges each).
+    // Only the real rims are open: of the body and of the lid (40 edges each), and both ends of handle and
+    // spout (20 edges each).
     EXPECT_EQ(open, 160u);
 }
 
@@ -205,7 +206,8 @@ TEST(MeshProcedural, NamesFaults) {
     };
     EXPECT_EQ(fault(R"({"procedural": "spere"})"),
               "s.json:1:16: error: unknown procedural mesh \"spere\", did you mean \"sphere\"?");
-    EXPECT_THAT(fault(R"({"procedural": "sphere", "radius": -1})"), HasSubstr("s.json:1:36: error: \"radius\" must be"));
+    EXPECT_THAT(fault(R"({"procedural": "sphere", "radius": -1})"),
+                HasSubstr("s.json:1:36: error: \"radius\" must be"));
     EXPECT_THAT(fault(R"({"procedural": "sphere", "radius": "x"})"), HasSubstr("s.json:1:36: error:"));
     EXPECT_THAT(fault(R"({"procedural": "sphere", "raduis": 1})"), HasSubstr("did you mean \"radius\"?"));
     EXPECT_THAT(fault(R"({"procedural": "slab"})"), HasSubstr("\"size\""));

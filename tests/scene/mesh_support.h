@@ -12,7 +12,7 @@
 namespace nephrite::scene::test {
 
 /// The first line that `read` faults with, or "" if it does not.
-template <typename Read>
+template<typename Read>
 std::string faultOf(const Read& read) {
     try {
         read();
@@ -23,7 +23,7 @@ std::string faultOf(const Read& read) {
 }
 
 /// The bytes of a value in the host's or the opposite order.
-template <typename T>
+template<typename T>
 std::string bytesOf(T value, bool reversed = false) {
     static_assert(std::is_trivially_copyable_v<T>);
     std::string bytes(reinterpret_cast<const char*>(&value), sizeof value);

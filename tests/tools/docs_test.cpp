@@ -18,22 +18,47 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Every line of a page's ```sh blocks, those that end in a backslash joined with the next.
-std::vector<std::string> shellLines(const fs::path& page) {
+/// A fenced block of a page: ```LANGUAGE, or ```LANGUAGE file=PATH for a file that is shown whole.
+struct Block {
+    std::string language;
+    std::string file;
+    std::string text;
+};
+
+std::vector<Block> blocksOf(const fs::path& page) {
     std::ifstream stream(page);
-    std::vector<std::string> lines;
-    bool inShell = false;
-    bool continues = false;
+    std::vector<Block> blocks;
+    bool inside = false;
     for (std::string line; std::getline(stream, line);) {
         if (line.starts_with("```")) {
-            inShell = line == "```sh";
-            continue;
+            inside = !inside;
+            if (!inside) continue;
+            const std::string separator = " file=";
+            const std::size_t language = line.find(separator);
+            const bool named = language != std::string::npos;
+            blocks.push_back({line.substr(3, named ? language - 3 : language),
+                              named ? line.substr(language + separator.size()) : std::string(),
+                              {}});
+        } else if (inside) {
+            blocks.back().text += line + '\n';
         }
-        if (!inShell) continue;
-        if (!continues) lines.emplace_back();
-        continues = line.ends_with('\\');
-        if (continues) line.pop_back();
-        lines.back() += line;
+    }
+    return blocks;
+}
+
+/// Every line of a page's ```sh blocks, those that end in a backslash joined with the next.
+std::vector<std::string> shellLines(const fs::path& page) {
+    std::vector<std::string> lines;
+    for (const Block& block : blocksOf(page)) {
+        if (block.language != "sh") continue;
+        std::istringstream stream(block.text);
+        bool continues = false;
+        for (std::string line; std::getline(stream, line);) {
+            if (!continues) lines.emplace_back();
+            continues = line.ends_with('\\');
+            if (continues) line.pop_back();
+            lines.back() += line;
+        }
     }
     return lines;
 }
@@ -84,6 +109,18 @@ class Pages : public testing::TestWithParam<std::string> {
     }
     ~Pages() override { fs::remove_all(folder_); }
 
+    /// Writes the files that the page shows whole.
+    void writeFiles(const fs::path& page) const {
+        for (const Block& block : blocksOf(page)) {
+            if (block.file.empty()) continue;
+            const fs::path file = folder_ / block.file;
+            fs::create_directories(file.parent_path());
+            std::ofstream stream(file);
+            stream << block.text;
+            if (!stream.flush()) throw std::runtime_error("cannot write " + file.string());
+        }
+    }
+
     /// Runs a call of the program and returns its exit status; what it printed goes to `printed`.
     int run(const std::string& arguments, std::string& printed) const {
         const fs::path log = folder_ / "log";
@@ -114,7 +151,9 @@ class Pages : public testing::TestWithParam<std::string> {
 };
 
 TEST_P(Pages, CommandsWorkAsPrinted) {
-    for (const std::string& arguments : programCalls(fs::path(NEPHRITE_SOURCE_DIR) / GetParam())) {
+    const fs::path page = fs::path(NEPHRITE_SOURCE_DIR) / GetParam();
+    writeFiles(page);
+    for (const std::string& arguments : programCalls(page)) {
         std::string printed;
         EXPECT_EQ(run(arguments, printed), 0) << "nephrite " << arguments << '\n' << printed;
         for (const std::string& name : outputs(arguments)) {

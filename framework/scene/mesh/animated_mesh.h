@@ -1,5 +1,5 @@
-// A mesh whose vertices may move with time while its triangles and texture coordinates stay: a glTF clip, then a
-// procedural deformation.
+// A mesh whose vertices may move with time while its triangles and texture coordinates stay: a glTF clip,
+// then a procedural deformation.
 #pragma once
 
 #include <optional>
@@ -27,7 +27,8 @@ class AnimatedMesh {
 
     /// The clips the file has, in its order.
     std::vector<std::string> clipNames() const;
-    /// From now on `at` plays this clip. Returns false if there is no such clip; clipNames() has the right ones.
+    /// From now on `at` plays this clip. Returns false if there is no such clip; clipNames() has the right
+    /// ones.
     bool play(std::string_view clip);
     /// From now on `at` applies this deformation (after the clip).
     void deform(const Deformation& deformation) { deformation_ = deformation; }

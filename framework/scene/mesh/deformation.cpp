@@ -81,8 +81,8 @@ class Bend {
         const double stretch = 1.0 - curvature_ * x;
         const glm::dvec3 rest = q - s * axis_ - x * towards_;
         const glm::dvec3 normalRest = n - glm::dot(n, axis_) * axis_ - glm::dot(n, towards_) * towards_;
-        return {arc + x * inward + rest, stretch * (glm::dot(n, towards_) * inward + normalRest) +
-                                             glm::dot(n, axis_) * tangent};
+        return {arc + x * inward + rest,
+                stretch * (glm::dot(n, towards_) * inward + normalRest) + glm::dot(n, axis_) * tangent};
     }
 
   private:
@@ -97,7 +97,8 @@ class Bend {
 class Pulse {
   public:
     Pulse(const Deformation& deformation, const Frame& frame, double seconds)
-        : axis_(frame.axis), amount_(deformation.amount),
+        : axis_(frame.axis),
+          amount_(deformation.amount),
           phasePerLength_(glm::two_pi<double>() * deformation.waves / frame.length),
           phase_(-glm::two_pi<double>() * seconds / deformation.period) {}
 
@@ -119,7 +120,7 @@ class Pulse {
     double phase_;
 };
 
-template <typename Move>
+template<typename Move>
 void apply(const Move& move, const glm::dvec3& center, Pose& pose) {
     for (std::size_t i = 0; i < pose.positions.size(); ++i) {
         const Moved moved = move(glm::dvec3(pose.positions[i]) - center, glm::dvec3(pose.normals[i]));
@@ -131,19 +132,24 @@ void apply(const Move& move, const glm::dvec3& center, Pose& pose) {
 
 class Reader {
   public:
-    Reader(const json::Value& value, Diagnostics& diagnostics) : object_(value, "a deformation", diagnostics) {}
+    Reader(const json::Value& value, Diagnostics& diagnostics)
+        : object_(value, "a deformation", diagnostics) {}
 
     Deformation read() {
         readKind();
         readVector("axis", result_.axis);
         if (result_.kind == DeformationKind::bend) readTowards();
         if (result_.kind == DeformationKind::pulse) {
-            readNumber("amount", result_.amount, [](double v) { return v > -1.0 && v < 1.0; }, "between -1 and 1");
-            readNumber("waves", result_.waves, [](double v) { return std::abs(v) <= 1e6; }, "at most 1e6");
+            readNumber(
+                "amount", result_.amount, [](double v) { return v > -1.0 && v < 1.0; }, "between -1 and 1");
+            readNumber(
+                "waves", result_.waves, [](double v) { return std::abs(v) <= 1e6; }, "at most 1e6");
         } else {
-            readNumber("degrees", result_.degrees, [](double v) { return std::abs(v) <= 1e6; }, "at most 1e6");
+            readNumber(
+                "degrees", result_.degrees, [](double v) { return std::abs(v) <= 1e6; }, "at most 1e6");
         }
-        readNumber("period", result_.period, [](double v) { return v > 1e-6 && v < 1e9; }, "greater than 0");
+        readNumber(
+            "period", result_.period, [](double v) { return v > 1e-6 && v < 1e9; }, "greater than 0");
         object_.finish();
         return result_;
     }
@@ -159,8 +165,9 @@ class Reader {
             result_.kind = static_cast<DeformationKind>(i);
             return;
         }
-        object_.diagnostics().error(type->where(), fmt::format("expected twist, bend or pulse, found \"{}\"{}", *name,
-                                                               suggestion(*name, kindNames)));
+        object_.diagnostics().error(type->where(),
+                                    fmt::format("expected twist, bend or pulse, found \"{}\"{}", *name,
+                                                suggestion(*name, kindNames)));
     }
 
     void readVector(std::string_view key, glm::dvec3& vector) {
@@ -171,8 +178,8 @@ class Reader {
         const glm::dvec3 read((*numbers)[0], (*numbers)[1], (*numbers)[2]);
         const double length = glm::length(read);
         if (!(length > 1e-12 && length < 1e12)) {
-            object_.diagnostics().error(value->where(), fmt::format("\"{}\" needs a direction, found {}", key,
-                                                                    value->sourceText()));
+            object_.diagnostics().error(
+                value->where(), fmt::format("\"{}\" needs a direction, found {}", key, value->sourceText()));
             return;
         }
         vector = read / length;
@@ -197,7 +204,8 @@ class Reader {
         const std::optional<double> read = value->number(object_.diagnostics(), "a number");
         if (!read) return;
         if (!allowed(*read)) {
-            object_.diagnostics().error(value->where(), fmt::format("\"{}\" must be {}, found {}", key, rule, *read));
+            object_.diagnostics().error(value->where(),
+                                        fmt::format("\"{}\" must be {}, found {}", key, rule, *read));
             return;
         }
         number = *read;
@@ -223,9 +231,15 @@ std::optional<Deformation> readDeformation(const json::Value& value, Diagnostics
 void deform(const Deformation& deformation, const Box& restBox, double seconds, Pose& pose) {
     const Frame frame = frameOf(deformation, restBox);
     switch (deformation.kind) {
-        case DeformationKind::twist: apply(Twist(deformation, frame, seconds), frame.center, pose); return;
-        case DeformationKind::bend: apply(Bend(deformation, frame, seconds), frame.center, pose); return;
-        case DeformationKind::pulse: apply(Pulse(deformation, frame, seconds), frame.center, pose); return;
+        case DeformationKind::twist:
+            apply(Twist(deformation, frame, seconds), frame.center, pose);
+            return;
+        case DeformationKind::bend:
+            apply(Bend(deformation, frame, seconds), frame.center, pose);
+            return;
+        case DeformationKind::pulse:
+            apply(Pulse(deformation, frame, seconds), frame.center, pose);
+            return;
     }
 }
 

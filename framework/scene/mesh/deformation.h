@@ -1,17 +1,19 @@
-// Procedural deformations of vertices over time: twist, bend and pulse (after Barr, "Global and Local Deformations of
-// Solid Primitives", 1984).
+// Procedural deformations of vertices over time: twist, bend and pulse (after Barr, "Global and Local
+// Deformations of Solid Primitives", 1984).
 //
-// All are relative to the bounding box of the rest pose, so they do not depend on the mesh's units: c is the box's
-// centre, a the unit axis, L the box's extent along a, q = p - c, s = q.a the height along the axis and
+// All are relative to the bounding box of the rest pose, so they do not depend on the mesh's units: c is the
+// box's centre, a the unit axis, L the box's extent along a, q = p - c, s = q.a the height along the axis and
 // w(t) = sin(2 pi t / period). At t = 0 twist and bend leave the mesh as it is.
 //
 //   twist  turns about the axis by degrees * w(t) * s / L; preserves volume.
 //   bend   bends the axis into a circular arc that turns by degrees * w(t) in all, towards `towards` (made
 //          perpendicular to the axis); lengths on the axis are kept.
-//   pulse  scales distances from the axis by 1 + amount * sin(2 pi (waves * s / L - t / period)): a swelling that
+//   pulse  scales distances from the axis by 1 + amount * sin(2 pi (waves * s / L - t / period)): a swelling
+//   that
 //          travels along the axis, or with waves = 0 breathes as a whole.
 //
-// Normals follow the cofactor matrix of the deformation's Jacobian, so they stay perpendicular to the surface.
+// Normals follow the cofactor matrix of the deformation's Jacobian, so they stay perpendicular to the
+// surface.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -46,8 +48,8 @@ struct Deformation {
 /// True if `type` is an animation type this file reads: "twist", "bend" or "pulse".
 bool isDeformation(std::string_view type);
 
-/// Reads a scene's `{"type": "twist"|"bend"|"pulse", "axis", "towards", "degrees", "amount", "waves", "period"}`.
-/// Adds every fault to `diagnostics` and returns nothing if there is one.
+/// Reads a scene's `{"type": "twist"|"bend"|"pulse", "axis", "towards", "degrees", "amount", "waves",
+/// "period"}`. Adds every fault to `diagnostics` and returns nothing if there is one.
 std::optional<Deformation> readDeformation(const json::Value& value, Diagnostics& diagnostics);
 
 /// Deforms `pose` in place; `restBox` is the bounding box of the rest pose.

@@ -1,9 +1,11 @@
-// Reads glTF 2.0 meshes (.gltf with its buffers, or .glb): triangles, skins, morph targets and animation clips.
+// Reads glTF 2.0 meshes (.gltf with its buffers, or .glb): triangles, skins, morph targets and animation
+// clips.
 //
-// Assimp does the import, but never sees the file itself. Our own check reads the JSON first, follows every index
-// and byte range, and writes what it found as a new GLB of the plainest form: one buffer of tightly packed floats and
-// indices, triangle lists, one mesh a node, linear keys. Whatever the check refuses is a named fault, and nothing
-// that Assimp handles badly (sparse accessors, quantised attributes, missing bind matrices, splines) reaches it.
+// Assimp does the import, but never sees the file itself. Our own check reads the JSON first, follows every
+// index and byte range, and writes what it found as a new GLB of the plainest form: one buffer of tightly
+// packed floats and indices, triangle lists, one mesh a node, linear keys. Whatever the check refuses is a
+// named fault, and nothing that Assimp handles badly (sparse accessors, quantised attributes, missing bind
+// matrices, splines) reaches it.
 #pragma once
 
 #include <functional>

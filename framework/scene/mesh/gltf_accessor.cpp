@@ -20,7 +20,7 @@ struct ComponentType {
     double (*read)(const char*);
 };
 
-template <typename T>
+template<typename T>
 double readAs(const char* bytes) {
     T value;
     std::memcpy(&value, bytes, sizeof value);
@@ -28,8 +28,8 @@ double readAs(const char* bytes) {
 }
 
 constexpr ComponentType componentTypes[] = {
-    {5120, 1, 127.0, readAs<std::int8_t>},    {5121, 1, 255.0, readAs<std::uint8_t>},
-    {5122, 2, 32767.0, readAs<std::int16_t>}, {5123, 2, 65535.0, readAs<std::uint16_t>},
+    {5120, 1, 127.0, readAs<std::int8_t>},          {5121, 1, 255.0, readAs<std::uint8_t>},
+    {5122, 2, 32767.0, readAs<std::int16_t>},       {5123, 2, 65535.0, readAs<std::uint16_t>},
     {5125, 4, 4294967295.0, readAs<std::uint32_t>}, {5126, 4, 0.0, readAs<float>}};
 
 const ComponentType& componentType(const json::Value& object) {
@@ -63,8 +63,9 @@ Elements elements(std::string_view view, std::size_t offset, std::size_t stride,
     const bool inside = offset <= view.size() && elementBytes <= view.size() - offset &&
                         (count - 1) <= (view.size() - offset - elementBytes) / stride;
     if (!inside) {
-        fail(where, fmt::format("{} elements of {} bytes from byte {} do not fit in a buffer view of {} bytes", count,
-                                elementBytes, offset, view.size()));
+        fail(where,
+             fmt::format("{} elements of {} bytes from byte {} do not fit in a buffer view of {} bytes",
+                         count, elementBytes, offset, view.size()));
     }
     return {view.substr(offset), stride, count};
 }
@@ -74,9 +75,13 @@ Elements elements(std::string_view view, std::size_t offset, std::size_t stride,
 /// One accessor while it is read.
 class AccessorReader {
   public:
-    AccessorReader(const Document& document, std::size_t number, std::string_view type, const json::Value& where)
-        : document_(document), accessor_(document.item("accessors", number)), component_(componentType(accessor_)),
-          components_(componentsOf(type)), count_(naturalMember(accessor_, "count", 0)) {
+    AccessorReader(const Document& document, std::size_t number, std::string_view type,
+                   const json::Value& where)
+        : document_(document),
+          accessor_(document.item("accessors", number)),
+          component_(componentType(accessor_)),
+          components_(componentsOf(type)),
+          count_(naturalMember(accessor_, "count", 0)) {
         const std::string found = text(requiredMember(accessor_, "type"), "an accessor's type");
         if (found != type) fail(where, fmt::format("expected an accessor of type {}, found {}", type, found));
         if (count_ == 0) fail(accessor_, "an accessor needs a \"count\" of at least 1");
@@ -101,18 +106,21 @@ class AccessorReader {
     std::size_t elementBytes() const { return components_ * component_.bytes; }
 
     void decode(const char* bytes, double* target) const {
-        for (std::size_t k = 0; k < components_; ++k) target[k] = component_.read(bytes + k * component_.bytes);
+        for (std::size_t k = 0; k < components_; ++k)
+            target[k] = component_.read(bytes + k * component_.bytes);
     }
 
     std::vector<double> readDense() const {
-        const std::optional<std::size_t> view = findIndex(accessor_, "bufferView", document_.count("bufferViews"));
-        if (!view && count_ > largestZeros) fail(accessor_, fmt::format("{} elements without a buffer view", count_));
+        const std::optional<std::size_t> view =
+            findIndex(accessor_, "bufferView", document_.count("bufferViews"));
+        if (!view && count_ > largestZeros)
+            fail(accessor_, fmt::format("{} elements without a buffer view", count_));
         std::vector<double> values(count_ * components_, 0.0);
         if (!view) return values;
         const View bytes = document_.view(*view);
         const std::size_t stride = std::max(elementBytes(), bytes.stride);
-        const Elements source = elements(bytes.bytes, naturalMember(accessor_, "byteOffset", 0), stride, count_,
-                                         elementBytes(), accessor_);
+        const Elements source = elements(bytes.bytes, naturalMember(accessor_, "byteOffset", 0), stride,
+                                         count_, elementBytes(), accessor_);
         for (std::size_t i = 0; i < count_; ++i) decode(source.at(i), &values[i * components_]);
         return values;
     }
@@ -124,7 +132,8 @@ class AccessorReader {
         const std::optional<json::Value> places = findObject(*sparse, "indices");
         const std::optional<json::Value> replacements = findObject(*sparse, "values");
         if (replaced == 0 || replaced > count_ || !places || !replacements) {
-            fail(*sparse, "a sparse accessor needs \"count\" within the accessor's, \"indices\" and \"values\"");
+            fail(*sparse,
+                 "a sparse accessor needs \"count\" within the accessor's, \"indices\" and \"values\"");
         }
         const ComponentType& placeType = componentType(*places);
         if (placeType.largest == 0.0) fail(*places, "expected integer indices");
@@ -140,10 +149,10 @@ class AccessorReader {
     }
 
     Elements sparsePart(const json::Value& object, std::size_t bytesEach, std::size_t count) const {
-        const std::size_t view = index(requiredMember(object, "bufferView"), document_.count("bufferViews"),
-                                       "buffer views");
-        return elements(document_.view(view).bytes, naturalMember(object, "byteOffset", 0), bytesEach, count, bytesEach,
-                        object);
+        const std::size_t view =
+            index(requiredMember(object, "bufferView"), document_.count("bufferViews"), "buffer views");
+        return elements(document_.view(view).bytes, naturalMember(object, "byteOffset", 0), bytesEach, count,
+                        bytesEach, object);
     }
 
     const Document& document_;
@@ -159,21 +168,24 @@ std::vector<float> Document::floats(std::size_t i, std::string_view type, const 
     result.reserve(wide.size());
     for (const double value : wide) {
         if (!(std::abs(value) <= 1e15)) {
-            fail(where, fmt::format("accessor {} has the value {}, which is not finite or beyond 1e15", i, value));
+            fail(where,
+                 fmt::format("accessor {} has the value {}, which is not finite or beyond 1e15", i, value));
         }
         result.push_back(static_cast<float>(value));
     }
     return result;
 }
 
-std::vector<std::uint32_t> Document::integers(std::size_t i, std::string_view type, const json::Value& where) const {
+std::vector<std::uint32_t> Document::integers(std::size_t i, std::string_view type,
+                                              const json::Value& where) const {
     const AccessorReader reader(*this, i, type, where);
     if (!reader.isInteger()) fail(where, "expected an accessor of integers, found floats");
     const std::vector<double> wide = reader.read();
     std::vector<std::uint32_t> result;
     result.reserve(wide.size());
     for (const double value : wide) {
-        if (!(value >= 0.0 && value == std::floor(value))) fail(where, fmt::format("expected an index, found {}", value));
+        if (!(value >= 0.0 && value == std::floor(value)))
+            fail(where, fmt::format("expected an index, found {}", value));
         result.push_back(static_cast<std::uint32_t>(value));
     }
     return result;

@@ -21,7 +21,8 @@ Interpolation interpolationOf(const json::Value& sampler) {
     for (std::size_t i = 0; i < std::size(names); ++i) {
         if (name == names[i]) return static_cast<Interpolation>(i);
     }
-    fail(*value, fmt::format("expected LINEAR, STEP or CUBICSPLINE, found \"{}\"{}", name, suggestion(name, names)));
+    fail(*value,
+         fmt::format("expected LINEAR, STEP or CUBICSPLINE, found \"{}\"{}", name, suggestion(name, names)));
 }
 
 std::size_t accessorOf(const Document& document, const json::Value& sampler, std::string_view key) {
@@ -31,7 +32,8 @@ std::size_t accessorOf(const Document& document, const json::Value& sampler, std
 }
 
 std::vector<float> readTimes(const Document& document, const json::Value& sampler) {
-    const std::vector<float> times = document.floats(accessorOf(document, sampler, "input"), "SCALAR", sampler);
+    const std::vector<float> times =
+        document.floats(accessorOf(document, sampler, "input"), "SCALAR", sampler);
     for (std::size_t i = 0; i < times.size(); ++i) {
         if (times[i] < 0.0f || (i > 0 && times[i] <= times[i - 1])) {
             fail(sampler, fmt::format("key times must ascend from 0, found {} as time {}", times[i], i));
@@ -108,7 +110,8 @@ LinearKeys readKeys(const Document& document, const json::Value& sampler, Path p
     LinearKeys keys;
     keys.components = components[static_cast<std::size_t>(path)];
     keys.times = readTimes(document, sampler);
-    keys.values = document.floats(accessorOf(document, sampler, "output"), types[static_cast<std::size_t>(path)], sampler);
+    keys.values = document.floats(accessorOf(document, sampler, "output"),
+                                  types[static_cast<std::size_t>(path)], sampler);
     const std::size_t perTime = keys.components * (interpolation == Interpolation::cubicSpline ? 3 : 1);
     if (keys.values.size() != keys.times.size() * perTime) {
         fail(sampler, fmt::format("{} key times need {} values, found {}", keys.times.size(),
@@ -117,7 +120,8 @@ LinearKeys readKeys(const Document& document, const json::Value& sampler, Path p
     if (interpolation == Interpolation::cubicSpline) keys = sampledSpline(keys);
     if (interpolation == Interpolation::step) keys = stepped(keys);
     if (path == Path::rotation) {
-        for (std::size_t i = 0; i < keys.values.size(); i += 4) normalize(std::span(keys.values).subspan(i, 4));
+        for (std::size_t i = 0; i < keys.values.size(); i += 4)
+            normalize(std::span(keys.values).subspan(i, 4));
     }
     return keys;
 }

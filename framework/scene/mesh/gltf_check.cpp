@@ -30,11 +30,13 @@ void checkVersion(const Document& document) {
         const std::string name = text(extensions->at(i), "an extension's name");
         const bool harmless = name.starts_with("KHR_materials_") || name.starts_with("KHR_texture_") ||
                               name.starts_with("EXT_texture_") || name == "KHR_mesh_quantization";
-        if (!harmless) fail(extensions->at(i), fmt::format("the file requires the extension {}, which is not read", name));
+        if (!harmless)
+            fail(extensions->at(i),
+                 fmt::format("the file requires the extension {}, which is not read", name));
     }
 }
 
-template <typename T>
+template<typename T>
 Json::Value jsonArray(const std::vector<T>& values) {
     Json::Value array(Json::arrayValue);
     for (const T& value : values) array.append(value);
@@ -49,8 +51,10 @@ class Checker {
         for (std::size_t i = 0; i < nodes_.original.size(); ++i) addNode(i);
         Json::Value& out = writer_.document();
         out["scene"] = 0;
-        for (std::size_t i = 0; i < nodes_.roots; ++i) out["scenes"][0]["nodes"].append(static_cast<Json::UInt>(i));
-        for (std::size_t i = 0; i < document_.count("animations"); ++i) addAnimation(document_.item("animations", i), i);
+        for (std::size_t i = 0; i < nodes_.roots; ++i)
+            out["scenes"][0]["nodes"].append(static_cast<Json::UInt>(i));
+        for (std::size_t i = 0; i < document_.count("animations"); ++i)
+            addAnimation(document_.item("animations", i), i);
         if (!out.isMember("meshes")) fail(document_.root(), "the glTF file's scene has no triangles");
         result_.nodeCount = nodes_.original.size();
         result_.glb = writer_.finish();
@@ -62,7 +66,8 @@ class Checker {
         const json::Value node = document_.item("nodes", nodes_.original[i]);
         Json::Value out;
         out["name"] = std::to_string(i);
-        for (const std::size_t child : nodes_.children[i]) out["children"].append(static_cast<Json::UInt>(child));
+        for (const std::size_t child : nodes_.children[i])
+            out["children"].append(static_cast<Json::UInt>(child));
         addTransform(node, out);
         morphCounts_.push_back(0);
         if (const auto mesh = findIndex(node, "mesh", document_.count("meshes"))) {
@@ -90,7 +95,8 @@ class Checker {
     }
 
     /// Every node gets a mesh of its own, since Assimp keeps one skin a mesh.
-    void addMesh(const json::Value& mesh, const json::Value& node, std::optional<std::size_t> skin, Json::Value& out) {
+    void addMesh(const json::Value& mesh, const json::Value& node, std::optional<std::size_t> skin,
+                 Json::Value& out) {
         const std::size_t joints = skin ? jointCount(*skin) : 0;
         const std::optional<json::Value> primitives = findArray(mesh, "primitives");
         std::size_t targets = 0;
@@ -103,7 +109,8 @@ class Checker {
             }
             targets = primitive->targets.size();
             written["primitives"].append(writePrimitive(*primitive));
-            if (writer_.size() > largestData) fail(mesh, fmt::format("the meshes have more than {} bytes", largestData));
+            if (writer_.size() > largestData)
+                fail(mesh, fmt::format("the meshes have more than {} bytes", largestData));
         }
         if (written["primitives"].empty()) return;
         morphCounts_.back() = targets;
@@ -113,18 +120,22 @@ class Checker {
         if (skin) out["skin"] = writtenSkin(*skin);
     }
 
-    std::vector<float> restWeights(const json::Value& mesh, const json::Value& node, std::size_t targets) const {
+    std::vector<float> restWeights(const json::Value& mesh, const json::Value& node,
+                                   std::size_t targets) const {
         std::optional<json::Value> weights = node.find("weights");
         if (!weights) weights = mesh.find("weights");
-        return weights ? numbers(*weights, targets, "one weight for each morph target") : std::vector<float>(targets);
+        return weights ? numbers(*weights, targets, "one weight for each morph target")
+                       : std::vector<float>(targets);
     }
 
     Json::Value writePrimitive(const Primitive& primitive) {
         Json::Value out;
         Json::Value& attributes = out["attributes"];
         attributes["POSITION"] = writer_.addFloats(primitive.positions, "VEC3", 3);
-        if (!primitive.normals.empty()) attributes["NORMAL"] = writer_.addFloats(primitive.normals, "VEC3", 3);
-        if (!primitive.texture.empty()) attributes["TEXCOORD_0"] = writer_.addFloats(primitive.texture, "VEC2", 2);
+        if (!primitive.normals.empty())
+            attributes["NORMAL"] = writer_.addFloats(primitive.normals, "VEC3", 3);
+        if (!primitive.texture.empty())
+            attributes["TEXCOORD_0"] = writer_.addFloats(primitive.texture, "VEC2", 2);
         if (!primitive.weights.empty()) {
             attributes["JOINTS_0"] = writer_.addJoints(primitive.joints);
             attributes["WEIGHTS_0"] = writer_.addFloats(primitive.weights, "VEC4", 4);
@@ -145,7 +156,8 @@ class Checker {
     std::size_t jointCount(std::size_t skin) const {
         const json::Value object = document_.item("skins", skin);
         const std::optional<json::Value> joints = findArray(object, "joints");
-        if (!joints || joints->size() == 0 || joints->size() > 0xffff) fail(object, "a skin needs 1 to 65535 joints");
+        if (!joints || joints->size() == 0 || joints->size() > 0xffff)
+            fail(object, "a skin needs 1 to 65535 joints");
         return joints->size();
     }
 
@@ -161,16 +173,19 @@ class Checker {
         Json::Value out;
         for (std::size_t k = 0; k < joints.size(); ++k) {
             const std::size_t node = index(joints.at(k), document_.count("nodes"), "nodes");
-            if (!nodes_.renumbered[node]) fail(joints.at(k), fmt::format("joint {} is not in the scene", node));
+            if (!nodes_.renumbered[node])
+                fail(joints.at(k), fmt::format("joint {} is not in the scene", node));
             out["joints"].append(static_cast<Json::UInt>(*nodes_.renumbered[node]));
         }
         std::vector<float> matrices;
         if (const auto accessor = findIndex(object, "inverseBindMatrices", document_.count("accessors"))) {
             matrices = document_.floats(*accessor, "MAT4", object);
         } else {
-            for (std::size_t k = 0; k < 16 * joints.size(); ++k) matrices.push_back(k % 16 % 5 == 0 ? 1.0f : 0.0f);
+            for (std::size_t k = 0; k < 16 * joints.size(); ++k)
+                matrices.push_back(k % 16 % 5 == 0 ? 1.0f : 0.0f);
         }
-        if (matrices.size() < 16 * joints.size()) fail(object, "a skin needs an inverse bind matrix for each joint");
+        if (matrices.size() < 16 * joints.size())
+            fail(object, "a skin needs an inverse bind matrix for each joint");
         matrices.resize(16 * joints.size());
         out["inverseBindMatrices"] = writer_.addFloats(matrices, "MAT4", 16);
         return out;
@@ -180,7 +195,8 @@ class Checker {
         const std::optional<json::Value> name = animation.find("name");
         const std::optional<json::Value> channels = findArray(animation, "channels");
         Json::Value out;
-        for (std::size_t k = 0; channels && k < channels->size(); ++k) addChannel(animation, channels->at(k), out);
+        for (std::size_t k = 0; channels && k < channels->size(); ++k)
+            addChannel(animation, channels->at(k), out);
         if (out.empty()) return;
         result_.clipNames.push_back(name ? text(*name, "a name") : fmt::format("animation {}", number));
         writer_.document()["animations"].append(out);
@@ -211,8 +227,10 @@ class Checker {
         if (*path != Path::weights && document_.item("nodes", *original).find("matrix")) {
             fail(*target, fmt::format("node {} has a matrix, so it cannot be animated", *original));
         }
-        writeChannel(readKeys(document_, samplers->at(*sampler), *path, morphCounts_[node]), node, *path, out);
-        if (writer_.size() > largestData) fail(channel, fmt::format("the keys have more than {} bytes", largestData));
+        writeChannel(readKeys(document_, samplers->at(*sampler), *path, morphCounts_[node]), node, *path,
+                     out);
+        if (writer_.size() > largestData)
+            fail(channel, fmt::format("the keys have more than {} bytes", largestData));
     }
 
     void writeChannel(const LinearKeys& keys, std::size_t node, Path path, Json::Value& out) {
@@ -231,12 +249,15 @@ class Checker {
         out["channels"].append(channel);
     }
 
-    /// Assimp turns negative weights into 0, so each key holds the weights' positive parts, then their negative ones.
+    /// Assimp turns negative weights into 0, so each key holds the weights' positive parts, then their
+    /// negative ones.
     static std::vector<float> signedPairs(const LinearKeys& keys) {
         std::vector<float> pairs;
         for (std::size_t i = 0; i < keys.values.size(); i += keys.components) {
-            for (std::size_t k = 0; k < keys.components; ++k) pairs.push_back(std::max(keys.values[i + k], 0.0f));
-            for (std::size_t k = 0; k < keys.components; ++k) pairs.push_back(std::max(-keys.values[i + k], 0.0f));
+            for (std::size_t k = 0; k < keys.components; ++k)
+                pairs.push_back(std::max(keys.values[i + k], 0.0f));
+            for (std::size_t k = 0; k < keys.components; ++k)
+                pairs.push_back(std::max(-keys.values[i + k], 0.0f));
         }
         return pairs;
     }

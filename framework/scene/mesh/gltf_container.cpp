@@ -9,8 +9,8 @@
 namespace nephrite::scene::gltf {
 namespace {
 
-constexpr std::uint32_t magic = 0x46546c67;       // "glTF"
-constexpr std::uint32_t jsonChunk = 0x4e4f534a;   // "JSON"
+constexpr std::uint32_t magic = 0x46546c67;        // "glTF"
+constexpr std::uint32_t jsonChunk = 0x4e4f534a;    // "JSON"
 constexpr std::uint32_t binaryChunk = 0x004e4942;  // "BIN"
 
 /// GLB numbers are little-endian.
@@ -37,9 +37,10 @@ Chunk chunkAt(std::string_view bytes, std::size_t offset, const std::string& fil
     }
     const std::uint32_t length = wordAt(bytes, offset);
     if (length > bytes.size() - offset - 8) {
-        throw InputError({file, 0, 0}, fmt::format("the GLB file is truncated: the chunk at byte {} has {} bytes, but "
-                                                   "{} are left",
-                                                   offset, length, bytes.size() - offset - 8));
+        throw InputError({file, 0, 0},
+                         fmt::format("the GLB file is truncated: the chunk at byte {} has {} bytes, but "
+                                     "{} are left",
+                                     offset, length, bytes.size() - offset - 8));
     }
     return {wordAt(bytes, offset + 4), bytes.substr(offset + 8, length)};
 }
@@ -57,16 +58,19 @@ std::optional<std::uint32_t> base64Digit(char c) {
 
 Container splitContainer(std::string_view bytes, const std::string& file) {
     if (bytes.size() < 4 || wordAt(bytes, 0) != magic) return {bytes, std::nullopt};
-    if (bytes.size() < 12) throw InputError({file, 0, 0}, "the GLB file is truncated: its header has 12 bytes");
+    if (bytes.size() < 12)
+        throw InputError({file, 0, 0}, "the GLB file is truncated: its header has 12 bytes");
     if (const std::uint32_t version = wordAt(bytes, 4); version != 2) {
         throw InputError({file, 0, 0}, fmt::format("the GLB file is of version {}, expected 2", version));
     }
     if (const std::uint32_t length = wordAt(bytes, 8); length > bytes.size()) {
-        throw InputError({file, 0, 0}, fmt::format("the GLB file is truncated: its header names {} bytes, found {}",
-                                                   length, bytes.size()));
+        throw InputError({file, 0, 0},
+                         fmt::format("the GLB file is truncated: its header names {} bytes, found {}", length,
+                                     bytes.size()));
     }
     const Chunk first = chunkAt(bytes, 12, file);
-    if (first.type != jsonChunk) throw InputError({file, 0, 0}, "the first chunk of the GLB file is not JSON");
+    if (first.type != jsonChunk)
+        throw InputError({file, 0, 0}, "the first chunk of the GLB file is not JSON");
     Container container{first.data, std::nullopt};
     const std::size_t next = 12 + 8 + first.data.size();
     if (next < bytes.size()) {
@@ -125,7 +129,8 @@ std::optional<std::string> decodePercent(std::string_view uri) {
         const std::string_view digits = uri.substr(i + 1, 2);
         int value = 0;
         const auto [end, fault] = std::from_chars(digits.data(), digits.data() + digits.size(), value, 16);
-        if (digits.size() != 2 || fault != std::errc() || end != digits.data() + 2 || value < 0) return std::nullopt;
+        if (digits.size() != 2 || fault != std::errc() || end != digits.data() + 2 || value < 0)
+            return std::nullopt;
         decoded.push_back(static_cast<char>(value));
         i += 2;
     }

@@ -9,7 +9,9 @@
 #include "scene/mesh/gltf_container.h"
 
 namespace nephrite::scene::gltf {
-void fail(const json::Value& value, const std::string& message) { throw InputError(value.where(), message); }
+void fail(const json::Value& value, const std::string& message) {
+    throw InputError(value.where(), message);
+}
 
 std::size_t natural(const json::Value& value, std::size_t highest, std::string_view what) {
     Diagnostics diagnostics;
@@ -65,13 +67,15 @@ std::string text(const json::Value& value, std::string_view what) {
 
 std::optional<json::Value> findArray(const json::Value& object, std::string_view key) {
     std::optional<json::Value> value = object.find(key);
-    if (value && !value->isArray()) fail(*value, fmt::format("expected an array, found {}", value->describe()));
+    if (value && !value->isArray())
+        fail(*value, fmt::format("expected an array, found {}", value->describe()));
     return value;
 }
 
 std::optional<json::Value> findObject(const json::Value& object, std::string_view key) {
     std::optional<json::Value> value = object.find(key);
-    if (value && !value->isObject()) fail(*value, fmt::format("expected an object, found {}", value->describe()));
+    if (value && !value->isObject())
+        fail(*value, fmt::format("expected an object, found {}", value->describe()));
     return value;
 }
 
@@ -82,7 +86,8 @@ Document::Document(json::Value root, std::optional<std::string_view> binary, con
     for (std::size_t i = 0; i < count("buffers"); ++i) {
         buffers_.push_back(loadBuffer(i, binary, loader));
         total += buffers_.back().size();
-        if (total > largestData) fail(item("buffers", i), fmt::format("the buffers have more than {} bytes", largestData));
+        if (total > largestData)
+            fail(item("buffers", i), fmt::format("the buffers have more than {} bytes", largestData));
     }
 }
 
@@ -100,11 +105,13 @@ json::Value Document::item(std::string_view name, std::size_t i) const {
 std::string Document::loadBuffer(std::size_t i, std::optional<std::string_view> binary,
                                  const BufferLoader& loader) const {
     const json::Value buffer = item("buffers", i);
-    const std::size_t length = natural(requiredMember(buffer, "byteLength"), largestData, "a buffer's length");
+    const std::size_t length =
+        natural(requiredMember(buffer, "byteLength"), largestData, "a buffer's length");
     const std::optional<json::Value> uriValue = buffer.find("uri");
     std::string bytes;
     if (!uriValue) {
-        if (i != 0 || !binary) fail(buffer, "a buffer without \"uri\", but the file has no binary chunk for it");
+        if (i != 0 || !binary)
+            fail(buffer, "a buffer without \"uri\", but the file has no binary chunk for it");
         bytes = std::string(binary->substr(0, length));
     } else if (const std::string uri = text(*uriValue, "a URI"); uri.starts_with("data:")) {
         std::optional<std::string> decoded = decodeDataUri(uri);
@@ -119,7 +126,8 @@ std::string Document::loadBuffer(std::size_t i, std::optional<std::string_view> 
         bytes = loader(*path, uriValue->where());
     }
     if (bytes.size() < length) {
-        fail(buffer, fmt::format("the buffer is truncated: expected {} bytes, found {}", length, bytes.size()));
+        fail(buffer,
+             fmt::format("the buffer is truncated: expected {} bytes, found {}", length, bytes.size()));
     }
     bytes.resize(length);
     return bytes;
@@ -132,9 +140,11 @@ View Document::view(std::size_t i) const {
     const std::size_t length = natural(requiredMember(object, "byteLength"), largestData, "a length");
     const std::size_t size = buffers_[buffer].size();
     if (offset > size || length > size - offset) {
-        fail(object, fmt::format("bytes {} to {} are beyond the buffer's {} bytes", offset, offset + length, size));
+        fail(object,
+             fmt::format("bytes {} to {} are beyond the buffer's {} bytes", offset, offset + length, size));
     }
-    return {std::string_view(buffers_[buffer]).substr(offset, length), naturalMember(object, "byteStride", 0)};
+    return {std::string_view(buffers_[buffer]).substr(offset, length),
+            naturalMember(object, "byteStride", 0)};
 }
 
 }  // namespace nephrite::scene::gltf

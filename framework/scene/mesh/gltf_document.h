@@ -1,4 +1,5 @@
-// A glTF document whose references are followed with checks: arrays of objects, buffers, buffer views, accessors.
+// A glTF document whose references are followed with checks: arrays of objects, buffers, buffer views,
+// accessors.
 #pragma once
 
 #include <cstdint>
@@ -49,14 +50,15 @@ class Document {
     /// The bytes of buffer view `i`.
     View view(std::size_t i) const;
 
-    /// The values of accessor `i`, element by element; integers are normalised where the accessor says so. Throws at
-    /// `where` unless the accessor has that `type` and all values are finite.
+    /// The values of accessor `i`, element by element; integers are normalised where the accessor says so.
+    /// Throws at `where` unless the accessor has that `type` and all values are finite.
     std::vector<float> floats(std::size_t i, std::string_view type, const json::Value& where) const;
     /// The values of a SCALAR or VEC4 accessor of unsigned integers.
     std::vector<std::uint32_t> integers(std::size_t i, std::string_view type, const json::Value& where) const;
 
   private:
-    std::string loadBuffer(std::size_t i, std::optional<std::string_view> binary, const BufferLoader& loader) const;
+    std::string loadBuffer(std::size_t i, std::optional<std::string_view> binary,
+                           const BufferLoader& loader) const;
 
     json::Value root_;
     std::vector<std::string> buffers_;

@@ -18,10 +18,16 @@ namespace {
 /// Assimp's glTF key times are milliseconds.
 constexpr double secondsPerTick = 1e-3;
 
-glm::vec3 toGlm(const aiVector3D& v) { return {v.x, v.y, v.z}; }
-glm::quat toGlm(const aiQuaternion& q) { return {q.w, q.x, q.y, q.z}; }
+glm::vec3 toGlm(const aiVector3D& v) {
+    return {v.x, v.y, v.z};
+}
+glm::quat toGlm(const aiQuaternion& q) {
+    return {q.w, q.x, q.y, q.z};
+}
 /// Assimp's matrices are stored row by row.
-glm::mat4 toGlm(const aiMatrix4x4& m) { return glm::transpose(glm::make_mat4(&m.a1)); }
+glm::mat4 toGlm(const aiMatrix4x4& m) {
+    return glm::transpose(glm::make_mat4(&m.a1));
+}
 
 class SceneReader {
   public:
@@ -37,7 +43,8 @@ class SceneReader {
             pending.insert(pending.end(), node->mChildren, node->mChildren + node->mNumChildren);
             readNode(*node);
         }
-        for (unsigned i = 0; i < scene_.mNumAnimations; ++i) readClip(*scene_.mAnimations[i], checked_.clipNames.at(i));
+        for (unsigned i = 0; i < scene_.mNumAnimations; ++i)
+            readClip(*scene_.mAnimations[i], checked_.clipNames.at(i));
         readRestPose();
         return std::move(result_);
     }
@@ -47,7 +54,8 @@ class SceneReader {
     std::optional<std::uint32_t> numberOf(const aiString& name) const {
         std::uint32_t number = 0;
         const auto [end, fault] = std::from_chars(name.data, name.data + name.length, number);
-        if (fault != std::errc() || end != name.data + name.length || number >= checked_.nodeCount) return std::nullopt;
+        if (fault != std::errc() || end != name.data + name.length || number >= checked_.nodeCount)
+            return std::nullopt;
         return number;
     }
 
@@ -62,7 +70,8 @@ class SceneReader {
         if (!number) return;
         RigNode& target = result_.rig.nodes[*number];
         target.local = toGlm(node.mTransformation);
-        const std::optional<std::uint32_t> parent = node.mParent ? numberOf(node.mParent->mName) : std::nullopt;
+        const std::optional<std::uint32_t> parent =
+            node.mParent ? numberOf(node.mParent->mName) : std::nullopt;
         target.parent = parent.value_or(noParent);
         for (unsigned i = 0; i < node.mNumMeshes; ++i) readMesh(*scene_.mMeshes[node.mMeshes[i]], *number);
     }
@@ -74,7 +83,8 @@ class SceneReader {
             result_.rig.normals.push_back(mesh.mNormals ? toGlm(mesh.mNormals[i]) : glm::vec3(0.0f));
             if (!checked_.hasTexture) continue;
             // Assimp turned v upwards; pictures count it downwards, as glTF does.
-            const aiVector3D uv = mesh.mTextureCoords[0] ? mesh.mTextureCoords[0][i] : aiVector3D(0.0f, 1.0f, 0.0f);
+            const aiVector3D uv =
+                mesh.mTextureCoords[0] ? mesh.mTextureCoords[0][i] : aiVector3D(0.0f, 1.0f, 0.0f);
             result_.mesh.textureCoordinates.emplace_back(uv.x, 1.0f - uv.y);
         }
         for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
@@ -90,7 +100,8 @@ class SceneReader {
         std::vector<JointWeights>& weights = result_.rig.weights;
         const auto own = static_cast<std::uint32_t>(result_.rig.joints.size());
         result_.rig.joints.push_back({node, glm::mat4(1.0f)});
-        weights.resize(result_.rig.positions.size(), JointWeights{{own, own, own, own}, {0.0f, 0.0f, 0.0f, 0.0f}});
+        weights.resize(result_.rig.positions.size(),
+                       JointWeights{{own, own, own, own}, {0.0f, 0.0f, 0.0f, 0.0f}});
         for (unsigned b = 0; b < mesh.mNumBones; ++b) {
             const aiBone& bone = *mesh.mBones[b];
             const auto joint = static_cast<std::uint32_t>(result_.rig.joints.size());
@@ -129,7 +140,8 @@ class SceneReader {
             for (unsigned i = 0; i < std::min(mesh.mNumVertices, moved.mNumVertices); ++i) {
                 MorphOffset offset{first + i};
                 if (moved.mVertices) offset.position = toGlm(moved.mVertices[i] - mesh.mVertices[i]);
-                if (moved.mNormals && mesh.mNormals) offset.normal = toGlm(moved.mNormals[i] - mesh.mNormals[i]);
+                if (moved.mNormals && mesh.mNormals)
+                    offset.normal = toGlm(moved.mNormals[i] - mesh.mNormals[i]);
                 const bool still = offset.position == glm::vec3(0.0f) && offset.normal == glm::vec3(0.0f);
                 if (!still) target.offsets.push_back(offset);
             }
@@ -139,7 +151,8 @@ class SceneReader {
 
     void readClip(const aiAnimation& animation, const std::string& name) {
         Clip clip{name, 0.0, {}};
-        for (unsigned i = 0; i < animation.mNumChannels; ++i) clip.tracks.push_back(movement(*animation.mChannels[i]));
+        for (unsigned i = 0; i < animation.mNumChannels; ++i)
+            clip.tracks.push_back(movement(*animation.mChannels[i]));
         for (unsigned i = 0; i < animation.mNumMorphMeshChannels; ++i) {
             clip.tracks.push_back(morphing(*animation.mMorphMeshChannels[i]));
         }
@@ -184,7 +197,8 @@ class SceneReader {
             const aiMeshMorphKey& key = channel.mKeys[k];
             const unsigned count = key.mNumValuesAndWeights / 2;
             std::vector<float> weights(count);
-            for (unsigned i = 0; i < count; ++i) weights[i] = static_cast<float>(key.mWeights[i] - key.mWeights[count + i]);
+            for (unsigned i = 0; i < count; ++i)
+                weights[i] = static_cast<float>(key.mWeights[i] - key.mWeights[count + i]);
             track.morphWeights.push_back({key.mTime * secondsPerTick, std::move(weights)});
         }
         return track;
@@ -198,7 +212,8 @@ class SceneReader {
         const std::vector<bool> mirrored = mirroringJoints();
         std::vector<std::uint32_t>& indices = result_.mesh.indices;
         for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
-            if (mirrored[result_.rig.weights[indices[i]].joints[0]]) std::swap(indices[i + 1], indices[i + 2]);
+            if (mirrored[result_.rig.weights[indices[i]].joints[0]])
+                std::swap(indices[i + 1], indices[i + 2]);
         }
     }
 

@@ -60,6 +60,8 @@ class Orderer {
 
 }  // namespace
 
-NodeOrder orderNodes(const Document& document) { return Orderer(document).run(); }
+NodeOrder orderNodes(const Document& document) {
+    return Orderer(document).run();
+}
 
 }  // namespace nephrite::scene::gltf

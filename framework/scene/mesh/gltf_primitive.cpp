@@ -17,7 +17,8 @@ class PrimitiveReader {
         const std::size_t mode = findIndex(primitive_, "mode", modeCount).value_or(triangles);
         if (mode < triangles) return std::nullopt;
         const std::optional<json::Value> attributes = findObject(primitive_, "attributes");
-        if (!attributes || !attributes->find("POSITION")) fail(primitive_, "a primitive needs the attribute POSITION");
+        if (!attributes || !attributes->find("POSITION"))
+            fail(primitive_, "a primitive needs the attribute POSITION");
         result_.positions = document_.floats(*accessor(*attributes, "POSITION"), "VEC3", *attributes);
         vertices_ = result_.positions.size() / 3;
         result_.normals = attribute(*attributes, "NORMAL", "VEC3", 3);
@@ -56,9 +57,11 @@ class PrimitiveReader {
         result_.weights = attribute(attributes, "WEIGHTS_0", "VEC4", 4);
         if (result_.weights.empty()) fail(attributes, "JOINTS_0 needs WEIGHTS_0");
         for (std::size_t i = 0; i < result_.joints.size(); ++i) {
-            if (result_.weights[i] < 0.0f) fail(attributes, fmt::format("a negative weight, {}", result_.weights[i]));
+            if (result_.weights[i] < 0.0f)
+                fail(attributes, fmt::format("a negative weight, {}", result_.weights[i]));
             if (result_.joints[i] < jointCount_) continue;
-            fail(attributes, fmt::format("a vertex follows joint {}, but the skin has {}", result_.joints[i], jointCount_));
+            fail(attributes, fmt::format("a vertex follows joint {}, but the skin has {}", result_.joints[i],
+                                         jointCount_));
         }
     }
 
@@ -71,10 +74,12 @@ class PrimitiveReader {
         }
         for (const std::uint32_t vertex : list) {
             if (vertex < vertices_) continue;
-            fail(primitive_, fmt::format("the indices name vertex {}, but there are {} vertices", vertex, vertices_));
+            fail(primitive_,
+                 fmt::format("the indices name vertex {}, but there are {} vertices", vertex, vertices_));
         }
         if (mode == triangles && list.size() % 3 != 0) {
-            fail(primitive_, fmt::format("a triangle list needs three indices a triangle, found {}", list.size()));
+            fail(primitive_,
+                 fmt::format("a triangle list needs three indices a triangle, found {}", list.size()));
         }
         result_.indices = mode == triangles ? std::move(list) : unrolled(list, mode);
     }
@@ -99,7 +104,8 @@ class PrimitiveReader {
         std::size_t values = 0;
         for (std::size_t i = 0; targets && i < targets->size(); ++i) {
             const json::Value object = targets->at(i);
-            if (!object.isObject()) fail(object, fmt::format("expected a morph target, found {}", object.describe()));
+            if (!object.isObject())
+                fail(object, fmt::format("expected a morph target, found {}", object.describe()));
             Primitive::Target target;
             target.positions = attribute(object, "POSITION", "VEC3", 3);
             target.normals = attribute(object, "NORMAL", "VEC3", 3);
@@ -121,8 +127,10 @@ class PrimitiveReader {
 
 }  // namespace
 
-std::optional<Primitive> readPrimitive(const Document& document, const json::Value& primitive, std::size_t joints) {
-    if (!primitive.isObject()) fail(primitive, fmt::format("expected a primitive, found {}", primitive.describe()));
+std::optional<Primitive> readPrimitive(const Document& document, const json::Value& primitive,
+                                       std::size_t joints) {
+    if (!primitive.isObject())
+        fail(primitive, fmt::format("expected a primitive, found {}", primitive.describe()));
     return PrimitiveReader(document, primitive, joints).read();
 }
 

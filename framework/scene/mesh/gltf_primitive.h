@@ -26,8 +26,9 @@ struct Primitive {
     std::vector<Target> targets;
 };
 
-/// Reads a primitive of triangles; nothing for points and lines, or without a single triangle. `joints` is how many
-/// joints the node's skin has, 0 without one. Throws InputError at the fault.
-std::optional<Primitive> readPrimitive(const Document& document, const json::Value& primitive, std::size_t joints);
+/// Reads a primitive of triangles; nothing for points and lines, or without a single triangle. `joints` is
+/// how many joints the node's skin has, 0 without one. Throws InputError at the fault.
+std::optional<Primitive> readPrimitive(const Document& document, const json::Value& primitive,
+                                       std::size_t joints);
 
 }  // namespace nephrite::scene::gltf

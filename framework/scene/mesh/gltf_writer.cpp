@@ -16,7 +16,9 @@ constexpr int floatingPoint = 5126;
 
 }  // namespace
 
-Writer::Writer() { document_["asset"]["version"] = "2.0"; }
+Writer::Writer() {
+    document_["asset"]["version"] = "2.0";
+}
 
 Json::UInt Writer::addAccessor(const void* data, std::size_t bytes, int componentType, std::string_view type,
                                std::size_t count) {
@@ -46,7 +48,8 @@ Json::UInt Writer::addIndices(std::span<const std::uint32_t> values) {
 
 Json::UInt Writer::addJoints(std::span<const std::uint32_t> values) {
     const std::vector<std::uint16_t> narrow(values.begin(), values.end());
-    return addAccessor(narrow.data(), narrow.size() * sizeof(std::uint16_t), unsignedShort, "VEC4", narrow.size() / 4);
+    return addAccessor(narrow.data(), narrow.size() * sizeof(std::uint16_t), unsignedShort, "VEC4",
+                       narrow.size() / 4);
 }
 
 std::string Writer::finish() {

@@ -1,4 +1,5 @@
-// Writes the plain GLB that Assimp gets: one buffer, an accessor with a view of its own for each array of values.
+// Writes the plain GLB that Assimp gets: one buffer, an accessor with a view of its own for each array of
+// values.
 #pragma once
 
 #include <json/value.h>

@@ -31,7 +31,8 @@ std::string readBytes(const fs::path& path, const SourceLocation& where) {
     if (size > largestFile) throw InputError(where, prefix + fmt::format("more than {} bytes", largestFile));
     std::ifstream stream(path, std::ios::binary);
     std::string bytes(static_cast<std::size_t>(size), '\0');
-    if (!stream.read(bytes.data(), static_cast<std::streamsize>(size))) throw InputError(where, prefix + "cannot be read");
+    if (!stream.read(bytes.data(), static_cast<std::streamsize>(size)))
+        throw InputError(where, prefix + "cannot be read");
     return bytes;
 }
 
@@ -67,8 +68,9 @@ AnimatedMesh loadMesh(const fs::path& path, std::optional<TextureMapping> mappin
     const std::string extension = lowerExtension(path);
     constexpr std::string_view known[] = {".ply", ".obj", ".gltf", ".glb"};
     if (std::find(std::begin(known), std::end(known), extension) == std::end(known)) {
-        throw InputError({file, 0, 0}, fmt::format("unknown mesh format \"{}\", expected .ply, .obj, .gltf or .glb",
-                                                   extension));
+        throw InputError(
+            {file, 0, 0},
+            fmt::format("unknown mesh format \"{}\", expected .ply, .obj, .gltf or .glb", extension));
     }
     std::string bytes = readBytes(path, {file, 0, 0});
     if (extension == ".ply") return finishMesh(readPly(bytes, file, diagnostics), mapping, file, diagnostics);

@@ -46,7 +46,8 @@ double surfaceArea(const Mesh& mesh) {
 }
 
 double enclosedVolume(const Mesh& mesh) {
-    // The divergence of p/3 is 1; each triangle with the origin spans a tetrahedron of signed volume a.(b x c)/6.
+    // The divergence of p/3 is 1; each triangle with the origin spans a tetrahedron of signed volume a.(b x
+    // c)/6.
     double sixfold = 0.0;
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
         const glm::dvec3 a(mesh.positions[mesh.indices[i]]);

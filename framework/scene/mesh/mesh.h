@@ -1,8 +1,8 @@
 // A triangle mesh in memory, and what can be measured on it.
 //
 // Meshes are in the units and axes of their file until the scene places them (object space). Triangles are
-// counter-clockwise seen from outside. Texture coordinates follow images: u to the right, v downwards, (0, 0) is the
-// top left corner of the picture; the readers convert from their format's convention.
+// counter-clockwise seen from outside. Texture coordinates follow images: u to the right, v downwards, (0, 0)
+// is the top left corner of the picture; the readers convert from their format's convention.
 #pragma once
 
 #include <cstddef>
@@ -13,8 +13,8 @@
 
 namespace nephrite::scene {
 
-/// A finished mesh has as many normals (unit) and texture coordinates as positions. A mesh straight from a reader may
-/// have none of either (empty), or normals of length zero where a vertex has none.
+/// A finished mesh has as many normals (unit) and texture coordinates as positions. A mesh straight from a
+/// reader may have none of either (empty), or normals of length zero where a vertex has none.
 struct Mesh {
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals;
@@ -42,7 +42,8 @@ struct BoundingSphere {
 /// The box around all points (all zero if there are none).
 Box boundingBox(std::span<const glm::vec3> positions);
 
-/// The sphere about the bounding box's centre that holds all points: at most sqrt(3) of the smallest one's radius.
+/// The sphere about the bounding box's centre that holds all points: at most sqrt(3) of the smallest one's
+/// radius.
 BoundingSphere boundingSphere(std::span<const glm::vec3> positions);
 
 /// Sum of the triangles' areas, in squared units of the mesh.

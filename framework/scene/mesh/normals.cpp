@@ -12,7 +12,8 @@ struct Corners {
     std::array<glm::dvec3, 3> positions;
 };
 
-Corners corners(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices, std::size_t first) {
+Corners corners(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices,
+                std::size_t first) {
     Corners corners;
     for (std::size_t k = 0; k < 3; ++k) {
         corners.vertices[k] = indices[first + k];
@@ -50,13 +51,15 @@ void fillCancelled(std::span<const glm::vec3> positions, std::span<const std::ui
 
 }  // namespace
 
-std::vector<glm::vec3> smoothNormals(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices,
+std::vector<glm::vec3> smoothNormals(std::span<const glm::vec3> positions,
+                                     std::span<const std::uint32_t> indices,
                                      std::span<const std::uint32_t> groups) {
     std::vector<glm::dvec3> sums(positions.size(), glm::dvec3(0.0));
     for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
         const Corners triangle = corners(positions, indices, i);
         const glm::dvec3 normal = faceNormal(triangle);
-        for (std::size_t k = 0; k < 3; ++k) sums[groups[triangle.vertices[k]]] += cornerAngle(triangle, k) * normal;
+        for (std::size_t k = 0; k < 3; ++k)
+            sums[groups[triangle.vertices[k]]] += cornerAngle(triangle, k) * normal;
     }
     fillCancelled(positions, indices, groups, sums);
 
@@ -80,7 +83,8 @@ void completeNormals(Mesh& mesh) {
         complete = complete && usable;
     }
     if (complete) return;
-    const std::vector<glm::vec3> smooth = smoothNormals(mesh.positions, mesh.indices, equalPositions(mesh.positions));
+    const std::vector<glm::vec3> smooth =
+        smoothNormals(mesh.positions, mesh.indices, equalPositions(mesh.positions));
     for (std::size_t i = 0; i < smooth.size(); ++i) {
         if (mesh.normals[i] == glm::vec3(0.0f)) mesh.normals[i] = smooth[i];
     }

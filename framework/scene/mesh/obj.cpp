@@ -15,10 +15,10 @@ constexpr std::uint32_t none = 0xffffffffu;
 
 /// Statements of the format that say nothing about triangles.
 constexpr std::string_view passedOver[] = {
-    "o",     "g",      "s",        "mg",       "usemtl",    "mtllib",       "usemap",       "maplib", "vp",    "p",
-    "l",     "deg",    "bmat",     "step",     "cstype",    "curv",         "curv2",        "surf",   "parm",  "trim",
-    "hole",  "scrv",   "sp",       "end",      "con",       "bevel",        "c_interp",     "d_interp", "lod", "shadow_obj",
-    "trace_obj", "ctech", "stech", "csh",      "call"};
+    "o",        "g",    "s",          "mg",        "usemtl", "mtllib", "usemap", "maplib", "vp",
+    "p",        "l",    "deg",        "bmat",      "step",   "cstype", "curv",   "curv2",  "surf",
+    "parm",     "trim", "hole",       "scrv",      "sp",     "end",    "con",    "bevel",  "c_interp",
+    "d_interp", "lod",  "shadow_obj", "trace_obj", "ctech",  "stech",  "csh",    "call"};
 
 /// The 0-based indices of a face's corner; `none` where it has no texture coordinate or normal.
 struct Corner {
@@ -55,7 +55,8 @@ class ObjReader {
         } else if (std::find(std::begin(passedOver), std::end(passedOver), keyword) == std::end(passedOver)) {
             std::vector<std::string_view> known{"v", "vt", "vn", "f"};
             known.insert(known.end(), std::begin(passedOver), std::end(passedOver));
-            cursor_.fail(fmt::format("expected an OBJ statement, found {}{}", quoted(keyword), suggestion(keyword, known)));
+            cursor_.fail(fmt::format("expected an OBJ statement, found {}{}", quoted(keyword),
+                                     suggestion(keyword, known)));
         }
     }
 
@@ -100,10 +101,12 @@ class ObjReader {
         return corner;
     }
 
-    std::uint32_t readIndex(std::string_view& rest, std::string_view word, std::size_t count, std::string_view what) {
+    std::uint32_t readIndex(std::string_view& rest, std::string_view word, std::size_t count,
+                            std::string_view what) {
         std::int64_t index = 0;
         const auto [end, fault] = std::from_chars(rest.data(), rest.data() + rest.size(), index);
-        if (fault != std::errc()) cursor_.fail(fmt::format("expected a corner like 1/2/3, found {}", quoted(word)));
+        if (fault != std::errc())
+            cursor_.fail(fmt::format("expected a corner like 1/2/3, found {}", quoted(word)));
         rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
         const auto known = static_cast<std::int64_t>(count);
         if (index == 0 || index > known || index < -known) {
@@ -112,7 +115,8 @@ class ObjReader {
         return static_cast<std::uint32_t>(index > 0 ? index - 1 : known + index);
     }
 
-    /// A vertex for each corner; or, in a file of positions only, for each position. Welding merges equal ones later.
+    /// A vertex for each corner; or, in a file of positions only, for each position. Welding merges equal
+    /// ones later.
     Mesh assemble() {
         Mesh mesh;
         if (normals_.empty() && texture_.empty()) {
@@ -122,9 +126,11 @@ class ObjReader {
         }
         for (const Corner& corner : corners_) {
             mesh.positions.push_back(positions_[corner.position]);
-            if (!normals_.empty()) mesh.normals.push_back(corner.normal == none ? glm::vec3(0) : normals_[corner.normal]);
+            if (!normals_.empty())
+                mesh.normals.push_back(corner.normal == none ? glm::vec3(0) : normals_[corner.normal]);
             if (!texture_.empty()) {
-                mesh.textureCoordinates.push_back(corner.texture == none ? glm::vec2(0) : texture_[corner.texture]);
+                mesh.textureCoordinates.push_back(corner.texture == none ? glm::vec2(0)
+                                                                         : texture_[corner.texture]);
             }
         }
         mesh.indices = std::move(indices_);
@@ -141,6 +147,8 @@ class ObjReader {
 
 }  // namespace
 
-Mesh readObj(std::string_view text, const std::string& file) { return ObjReader(text, file).read(); }
+Mesh readObj(std::string_view text, const std::string& file) {
+    return ObjReader(text, file).read();
+}
 
 }  // namespace nephrite::scene

@@ -23,8 +23,8 @@ enum Slot : std::size_t { slotX, slotY, slotZ, slotNX, slotNY, slotNZ, slotU, sl
 
 std::optional<std::size_t> slotOf(const Property& property) {
     constexpr std::pair<std::string_view, Slot> slots[] = {
-        {"x", slotX}, {"y", slotY}, {"z", slotZ}, {"nx", slotNX}, {"ny", slotNY}, {"nz", slotNZ}, {"s", slotU},
-        {"t", slotV}, {"u", slotU}, {"v", slotV}, {"texture_u", slotU}, {"texture_v", slotV}};
+        {"x", slotX}, {"y", slotY}, {"z", slotZ}, {"nx", slotNX}, {"ny", slotNY},       {"nz", slotNZ},
+        {"s", slotU}, {"t", slotV}, {"u", slotU}, {"v", slotV},   {"texture_u", slotU}, {"texture_v", slotV}};
     if (property.countType) return std::nullopt;
     for (const auto& [name, slot] : slots) {
         if (property.name == name) return slot;
@@ -48,11 +48,13 @@ const Element& findElement(const Header& header, std::string_view name, const st
     return *found;
 }
 
-template <typename Values>
+template<typename Values>
 class BodyReader {
   public:
     BodyReader(const Header& header, Values values, const std::string& file)
-        : header_(header), values_(std::move(values)), vertices_(findElement(header, "vertex", file)),
+        : header_(header),
+          values_(std::move(values)),
+          vertices_(findElement(header, "vertex", file)),
           faces_(findElement(header, "face", file)) {
         checkProperties();
     }
@@ -70,7 +72,8 @@ class BodyReader {
             }
         }
         if (const std::size_t unread = values_.unread(); unread > 0) {
-            diagnostics.warning({file, 0, 0}, fmt::format("{} bytes after the last element are ignored", unread));
+            diagnostics.warning({file, 0, 0},
+                                fmt::format("{} bytes after the last element are ignored", unread));
         }
         return std::move(mesh_);
     }
@@ -81,7 +84,8 @@ class BodyReader {
         for (const Property& property : vertices_.properties) {
             const std::optional<std::size_t> slot = slotOf(property);
             if (slot && has[*slot]) {
-                throw InputError(vertices_.where, fmt::format("vertex property \"{}\" is given twice", property.name));
+                throw InputError(vertices_.where,
+                                 fmt::format("vertex property \"{}\" is given twice", property.name));
             }
             if (slot) has[*slot] = true;
             slots_.push_back(slot);
@@ -93,7 +97,8 @@ class BodyReader {
         hasTexture_ = has[slotU] && has[slotV];
         std::size_t lists = 0;
         for (const Property& property : faces_.properties) lists += isIndexList(property) ? 1 : 0;
-        if (lists != 1) throw InputError(faces_.where, "element \"face\" needs one list property vertex_indices");
+        if (lists != 1)
+            throw InputError(faces_.where, "element \"face\" needs one list property vertex_indices");
     }
 
     /// Refuses a count that the rest of the file cannot hold, before anything is reserved for it.
@@ -101,8 +106,9 @@ class BodyReader {
         // The last line of a text file may lack its end: one byte less.
         const std::uint64_t possible = (std::uint64_t{values_.remaining()} + 1) / values_.leastBytes(element);
         if (element.count > possible || element.count >= 0xffffffffu) {
-            values_.fail(fmt::format("the file is truncated: its header names {} elements \"{}\", but {} bytes are left",
-                                     element.count, element.name, values_.remaining()));
+            values_.fail(fmt::format(
+                "the file is truncated: its header names {} elements \"{}\", but {} bytes are left",
+                element.count, element.name, values_.remaining()));
         }
     }
 
@@ -113,7 +119,8 @@ class BodyReader {
         for (std::uint64_t i = 0; i < vertices_.count; ++i) {
             values_.startItem();
             std::array<float, slotCount> vertex{};
-            for (std::size_t k = 0; k < slots_.size(); ++k) readVertexProperty(vertices_.properties[k], slots_[k], vertex);
+            for (std::size_t k = 0; k < slots_.size(); ++k)
+                readVertexProperty(vertices_.properties[k], slots_[k], vertex);
             values_.endItem();
             mesh_.positions.emplace_back(vertex[slotX], vertex[slotY], vertex[slotZ]);
             if (hasNormals_) mesh_.normals.emplace_back(vertex[slotNX], vertex[slotNY], vertex[slotNZ]);

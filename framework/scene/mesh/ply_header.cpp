@@ -15,10 +15,12 @@ namespace {
 constexpr std::size_t longestHeader = 1 << 20;
 
 constexpr std::pair<std::string_view, Type> typeNames[] = {
-    {"char", Type::int8},      {"int8", Type::int8},       {"uchar", Type::uint8},     {"uint8", Type::uint8},
-    {"short", Type::int16},    {"int16", Type::int16},     {"ushort", Type::uint16},   {"uint16", Type::uint16},
-    {"int", Type::int32},      {"int32", Type::int32},     {"uint", Type::uint32},     {"uint32", Type::uint32},
-    {"float", Type::float32},  {"float32", Type::float32}, {"double", Type::float64},  {"float64", Type::float64},
+    {"char", Type::int8},       {"int8", Type::int8},       {"uchar", Type::uint8},
+    {"uint8", Type::uint8},     {"short", Type::int16},     {"int16", Type::int16},
+    {"ushort", Type::uint16},   {"uint16", Type::uint16},   {"int", Type::int32},
+    {"int32", Type::int32},     {"uint", Type::uint32},     {"uint32", Type::uint32},
+    {"float", Type::float32},   {"float32", Type::float32}, {"double", Type::float64},
+    {"float64", Type::float64},
 };
 
 Type readType(TextCursor& cursor) {
@@ -56,7 +58,8 @@ Element readElement(TextCursor& cursor) {
     const std::string_view word = cursor.word();
     const auto [end, fault] = std::from_chars(word.data(), word.data() + word.size(), element.count);
     if (word.empty() || fault != std::errc() || end != word.data() + word.size()) {
-        cursor.fail(fmt::format("expected how many elements \"{}\" there are, found {}", element.name, quoted(word)));
+        cursor.fail(
+            fmt::format("expected how many elements \"{}\" there are, found {}", element.name, quoted(word)));
     }
     return element;
 }
@@ -78,7 +81,8 @@ Property readProperty(TextCursor& cursor) {
 
 class HeaderReader {
   public:
-    HeaderReader(std::string_view bytes, const std::string& file) : cursor_(bytes.substr(0, longestHeader), file) {}
+    HeaderReader(std::string_view bytes, const std::string& file)
+        : cursor_(bytes.substr(0, longestHeader), file) {}
 
     Header read() {
         if (cursor_.word() != "ply") cursor_.fail("not a PLY file: the first line is not \"ply\"");
@@ -105,7 +109,8 @@ class HeaderReader {
     }
 
     void readKeyword(std::string_view keyword) {
-        constexpr std::string_view known[] = {"format", "element", "property", "comment", "obj_info", "end_header"};
+        constexpr std::string_view known[] = {"format",  "element",  "property",
+                                              "comment", "obj_info", "end_header"};
         if (keyword == "format") {
             header_.format = readFormat(cursor_);
             hasFormat_ = true;
@@ -130,17 +135,23 @@ class HeaderReader {
 std::size_t bytesOf(Type type) {
     switch (type) {
         case Type::int8:
-        case Type::uint8: return 1;
+        case Type::uint8:
+            return 1;
         case Type::int16:
-        case Type::uint16: return 2;
+        case Type::uint16:
+            return 2;
         case Type::int32:
         case Type::uint32:
-        case Type::float32: return 4;
-        case Type::float64: return 8;
+        case Type::float32:
+            return 4;
+        case Type::float64:
+            return 8;
     }
     return 8;
 }
 
-Header readHeader(std::string_view bytes, const std::string& file) { return HeaderReader(bytes, file).read(); }
+Header readHeader(std::string_view bytes, const std::string& file) {
+    return HeaderReader(bytes, file).read();
+}
 
 }  // namespace nephrite::scene::ply

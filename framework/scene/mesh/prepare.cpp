@@ -11,15 +11,18 @@ namespace {
 /// Beyond this, squared areas would no longer be safe in the arithmetic that follows.
 constexpr float largestCoordinate = 1e15f;
 
-bool usable(float value) { return std::abs(value) <= largestCoordinate; }
+bool usable(float value) {
+    return std::abs(value) <= largestCoordinate;
+}
 
 void checkPositions(const Mesh& mesh, const std::string& file) {
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
         const glm::vec3& p = mesh.positions[i];
         if (usable(p.x) && usable(p.y) && usable(p.z)) continue;
-        throw InputError({file, 0, 0}, fmt::format("vertex {} is at ({}, {}, {}), but coordinates must be finite and "
-                                                   "at most {:g} in magnitude",
-                                                   i, p.x, p.y, p.z, largestCoordinate));
+        throw InputError({file, 0, 0},
+                         fmt::format("vertex {} is at ({}, {}, {}), but coordinates must be finite and "
+                                     "at most {:g} in magnitude",
+                                     i, p.x, p.y, p.z, largestCoordinate));
     }
     for (const glm::vec2& uv : mesh.textureCoordinates) {
         if (!std::isfinite(uv.x) || !std::isfinite(uv.y)) {
@@ -56,8 +59,9 @@ std::vector<std::uint32_t> prepare(Mesh& mesh, std::optional<TextureMapping> map
                                    Diagnostics& diagnostics, std::span<const std::uint32_t> kinds) {
     checkPositions(mesh, file);
     if (const std::size_t dropped = dropDegenerateTriangles(mesh); dropped > 0 && !mesh.indices.empty()) {
-        diagnostics.warning({file, 0, 0}, fmt::format("dropped {} degenerate triangle{} (no area) of {}", dropped,
-                                                      dropped == 1 ? "" : "s", dropped + mesh.triangleCount()));
+        diagnostics.warning({file, 0, 0},
+                            fmt::format("dropped {} degenerate triangle{} (no area) of {}", dropped,
+                                        dropped == 1 ? "" : "s", dropped + mesh.triangleCount()));
     }
     if (mesh.indices.empty()) throw InputError({file, 0, 0}, "the mesh has no triangle with an area");
     const bool hasTexture = !mesh.textureCoordinates.empty();

@@ -7,12 +7,14 @@
 namespace nephrite::scene {
 namespace {
 
-/// (columns + 1) x (rows + 1) vertices numbered row by row. Rows run downwards as seen from outside, columns to the
-/// right.
+/// (columns + 1) x (rows + 1) vertices numbered row by row. Rows run downwards as seen from outside, columns
+/// to the right.
 struct Grid {
     std::uint32_t columns;
     std::uint32_t rows;
-    std::uint32_t vertex(std::uint32_t column, std::uint32_t row) const { return row * (columns + 1) + column; }
+    std::uint32_t vertex(std::uint32_t column, std::uint32_t row) const {
+        return row * (columns + 1) + column;
+    }
 };
 
 void addTriangle(Mesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
@@ -26,7 +28,8 @@ void addVertex(Mesh& mesh, const glm::dvec3& position, const glm::dvec3& normal,
 }
 
 /// One rectangle about `center` spanned by half its width and half its height.
-void addRectangle(Mesh& mesh, const glm::dvec3& center, const glm::dvec3& halfRight, const glm::dvec3& halfUp) {
+void addRectangle(Mesh& mesh, const glm::dvec3& center, const glm::dvec3& halfRight,
+                  const glm::dvec3& halfUp) {
     const glm::dvec3 normal = glm::normalize(glm::cross(halfRight, halfUp));
     const auto first = static_cast<std::uint32_t>(mesh.positions.size());
     addVertex(mesh, center - halfRight + halfUp, normal, {0.0, 0.0});
@@ -110,7 +113,8 @@ Mesh torus(float radius, float tube) {
             const glm::dvec2 around = turn(column, grid.columns);
             const glm::dvec3 outward(-around.y, 0.0, -around.x);
             const glm::dvec3 normal = across.x * outward - across.y * glm::dvec3(0.0, 1.0, 0.0);
-            const glm::dvec2 uv(static_cast<double>(column) / grid.columns, static_cast<double>(row) / grid.rows);
+            const glm::dvec2 uv(static_cast<double>(column) / grid.columns,
+                                static_cast<double>(row) / grid.rows);
             addVertex(mesh, double{radius} * outward + double{tube} * normal, normal, uv);
         }
     }

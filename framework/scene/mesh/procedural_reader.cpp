@@ -28,8 +28,8 @@ class Reader {
         if (*name == "cube") return cubeMesh();
         if (*name == "plane") return planeMesh();
         if (*name == "torus") return torusMesh();
-        object_.diagnostics().error(value->where(), fmt::format("unknown procedural mesh \"{}\"{}", *name,
-                                                                suggestion(*name, names)));
+        object_.diagnostics().error(
+            value->where(), fmt::format("unknown procedural mesh \"{}\"{}", *name, suggestion(*name, names)));
         return std::nullopt;
     }
 
@@ -79,8 +79,8 @@ class Reader {
     bool allowed(double length) const { return length >= smallest && length <= largest; }
 
     void refuse(const json::Value& value, std::string_view key) {
-        object_.diagnostics().error(value.where(), fmt::format("\"{}\" must be from {:g} to {:g}, found {}", key,
-                                                               smallest, largest, value.sourceText()));
+        object_.diagnostics().error(value.where(), fmt::format("\"{}\" must be from {:g} to {:g}, found {}",
+                                                               key, smallest, largest, value.sourceText()));
     }
 
     float length(std::string_view key, double fallback) {

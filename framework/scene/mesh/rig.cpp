@@ -9,8 +9,12 @@
 namespace nephrite::scene {
 namespace {
 
-glm::vec3 between(const glm::vec3& a, const glm::vec3& b, float share) { return glm::mix(a, b, share); }
-glm::quat between(const glm::quat& a, const glm::quat& b, float share) { return glm::slerp(a, b, share); }
+glm::vec3 between(const glm::vec3& a, const glm::vec3& b, float share) {
+    return glm::mix(a, b, share);
+}
+glm::quat between(const glm::quat& a, const glm::quat& b, float share) {
+    return glm::slerp(a, b, share);
+}
 std::vector<float> between(const std::vector<float>& a, const std::vector<float>& b, float share) {
     std::vector<float> mixed(std::min(a.size(), b.size()));
     for (std::size_t i = 0; i < mixed.size(); ++i) mixed[i] = glm::mix(a[i], b[i], share);
@@ -18,7 +22,7 @@ std::vector<float> between(const std::vector<float>& a, const std::vector<float>
 }
 
 /// The value at a time; the first and last keys hold beyond them. There is at least one key.
-template <typename T>
+template<typename T>
 T valueAt(const std::vector<Key<T>>& keys, double seconds) {
     const auto after = std::upper_bound(keys.begin(), keys.end(), seconds,
                                         [](double time, const Key<T>& key) { return time < key.seconds; });
@@ -59,7 +63,8 @@ std::vector<glm::mat4> palette(const Rig& rig, const std::vector<RigNode>& nodes
         global[i] = node.parent == noParent ? node.local : global[node.parent] * node.local;
     }
     std::vector<glm::mat4> joints(rig.joints.size());
-    for (std::size_t i = 0; i < joints.size(); ++i) joints[i] = global[rig.joints[i].node] * rig.joints[i].inverseBind;
+    for (std::size_t i = 0; i < joints.size(); ++i)
+        joints[i] = global[rig.joints[i].node] * rig.joints[i].inverseBind;
     return joints;
 }
 
@@ -77,8 +82,8 @@ Pose morphed(const Rig& rig, const std::vector<RigNode>& nodes) {
     return pose;
 }
 
-/// Transforms a normal by the inverse transpose (up to a positive factor), made from cross products: it exists for
-/// singular matrices too.
+/// Transforms a normal by the inverse transpose (up to a positive factor), made from cross products: it
+/// exists for singular matrices too.
 glm::vec3 transformedNormal(const glm::mat4& transform, const glm::vec3& normal) {
     const glm::dvec3 x(transform[0]);
     const glm::dvec3 y(transform[1]);
@@ -90,7 +95,9 @@ glm::vec3 transformedNormal(const glm::mat4& transform, const glm::vec3& normal)
     return length > 0.0 ? glm::vec3(moved / length) : glm::vec3(0.0f);
 }
 
-void append(std::string& key, const void* data, std::size_t bytes) { key.append(static_cast<const char*>(data), bytes); }
+void append(std::string& key, const void* data, std::size_t bytes) {
+    key.append(static_cast<const char*>(data), bytes);
+}
 
 }  // namespace
 

@@ -1,5 +1,5 @@
-// A glTF file's moving parts, evaluated on the CPU: a tree of nodes, skins (linear blend skinning), morph targets, and
-// the clips that drive them.
+// A glTF file's moving parts, evaluated on the CPU: a tree of nodes, skins (linear blend skinning), morph
+// targets, and the clips that drive them.
 //
 // Every vertex follows up to four joints. A mesh without a skin is one joint: its node, with weight 1.
 #pragma once
@@ -52,14 +52,15 @@ struct MorphTarget {
     std::vector<MorphOffset> offsets;
 };
 
-template <typename T>
+template<typename T>
 struct Key {
     double seconds = 0.0;
     T value;
 };
 
-/// What a clip does to one node: moves it (then translations, rotations and scales have a key or more each), changes
-/// its morph weights, or both. Values between keys are interpolated linearly, rotations along the shorter arc.
+/// What a clip does to one node: moves it (then translations, rotations and scales have a key or more each),
+/// changes its morph weights, or both. Values between keys are interpolated linearly, rotations along the
+/// shorter arc.
 struct NodeTrack {
     std::uint32_t node = 0;
     std::vector<Key<glm::vec3>> translations;
@@ -83,11 +84,12 @@ struct Rig {
     std::vector<JointWeights> weights;
     std::vector<MorphTarget> morphTargets;
     std::vector<Clip> clips;
-    bool smoothNormals = false;  ///< the file lacks normals for some pose: compute them from the moved triangles
+    bool smoothNormals =
+        false;  ///< the file lacks normals for some pose: compute them from the moved triangles
 };
 
-/// The vertices while `clip` plays (it repeats), or at rest if it is null. Normals follow the cofactor matrix of the
-/// blended transform and are unit, or of length zero where the rig has none.
+/// The vertices while `clip` plays (it repeats), or at rest if it is null. Normals follow the cofactor matrix
+/// of the blended transform and are unit, or of length zero where the rig has none.
 Pose evaluate(const Rig& rig, const Clip* clip, double seconds);
 
 /// The rig for a mesh whose vertex i is this rig's vertex source[i].

@@ -1,6 +1,6 @@
-// The teapot: each patch becomes 10 x 10 quads. At the top of the lid and the bottom's centre the patches end in a
-// point; there the first row is triangles, every second of whose spokes is split by a point of the surface, so that
-// every patch has 200 triangles and none is degenerate.
+// The teapot: each patch becomes 10 x 10 quads. At the top of the lid and the bottom's centre the patches end
+// in a point; there the first row is triangles, every second of whose spokes is split by a point of the
+// surface, so that every patch has 200 triangles and none is degenerate.
 #include <cmath>
 
 #include "scene/mesh/prepare.h"
@@ -64,7 +64,9 @@ class Patch {
 };
 
 /// The published axes have z up; ours y up.
-glm::vec3 upright(const glm::dvec3& p) { return {p.x, p.z, -p.y}; }
+glm::vec3 upright(const glm::dvec3& p) {
+    return {p.x, p.z, -p.y};
+}
 
 class Builder {
   public:
@@ -143,7 +145,8 @@ Mesh teapot() {
         for (const double signX : {1.0, -1.0}) {
             if (signX < 0.0 && !mirrorX) continue;
             // Each mirror turns a patch inside out.
-            for (const double signY : {1.0, -1.0}) builder.add(controlGrid(patch, signX, signY), signX * signY < 0.0);
+            for (const double signY : {1.0, -1.0})
+                builder.add(controlGrid(patch, signX, signY), signX * signY < 0.0);
         }
     }
     return builder.finish();

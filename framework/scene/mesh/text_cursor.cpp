@@ -11,7 +11,9 @@
 namespace nephrite::scene {
 namespace {
 
-bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
+bool isBlank(char c) {
+    return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
+}
 
 }  // namespace
 
@@ -70,7 +72,8 @@ std::string_view TextCursor::word() {
     const std::size_t start = offset_;
     while (!atEnd() && !isBlank(text_[offset_]) && text_[offset_] != '\n') {
         const std::string_view rest = text_.substr(offset_);
-        if (continuations_ && (rest.starts_with("\\\n") || rest.starts_with("\\\r\n")) && offset_ > start) break;
+        if (continuations_ && (rest.starts_with("\\\n") || rest.starts_with("\\\r\n")) && offset_ > start)
+            break;
         ++offset_;
     }
     return text_.substr(start, offset_ - start);
@@ -78,7 +81,8 @@ std::string_view TextCursor::word() {
 
 double TextCursor::number(std::string_view what) {
     const std::string_view found = word();
-    if (found.empty()) fail(fmt::format("expected {}, found the end of the {}", what, atEnd() ? "file" : "line"));
+    if (found.empty())
+        fail(fmt::format("expected {}, found the end of the {}", what, atEnd() ? "file" : "line"));
     const std::string_view digits = found.starts_with('+') ? found.substr(1) : found;
     double value = 0.0;
     const auto [end, fault] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
@@ -87,7 +91,8 @@ double TextCursor::number(std::string_view what) {
         fail(fmt::format("expected {}, found {}", what, quoted(found)));
     }
     // The result of an overflow or underflow is not stored; only the latter is close enough to 0 to accept.
-    if (fault == std::errc::result_out_of_range && std::abs(std::strtod(std::string(digits).c_str(), nullptr)) < 1.0) {
+    if (fault == std::errc::result_out_of_range &&
+        std::abs(std::strtod(std::string(digits).c_str(), nullptr)) < 1.0) {
         return 0.0;
     }
     constexpr double largest = std::numeric_limits<float>::max();
@@ -109,6 +114,8 @@ SourceLocation TextCursor::where() const {
     return {file_, line_, static_cast<std::uint32_t>(wordStart_ - lineStart_ + 1)};
 }
 
-void TextCursor::fail(std::string message) const { throw InputError(where(), std::move(message)); }
+void TextCursor::fail(std::string message) const {
+    throw InputError(where(), std::move(message));
+}
 
 }  // namespace nephrite::scene

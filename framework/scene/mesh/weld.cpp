@@ -10,7 +10,7 @@ namespace {
 constexpr std::uint32_t none = 0xffffffffu;
 
 /// For each item the first item equal to it. Linear probing in a table at most half full.
-template <typename Hash, typename Equal>
+template<typename Hash, typename Equal>
 std::vector<std::uint32_t> firstEqual(std::size_t count, const Hash& hash, const Equal& equal) {
     std::vector<std::uint32_t> table(std::bit_ceil(2 * count + 1), none);
     const std::size_t mask = table.size() - 1;
@@ -62,7 +62,7 @@ std::vector<std::uint32_t> equalVertices(const Mesh& mesh, std::span<const std::
 }
 
 /// Keeps the listed vertices of `values`, in that order; `kept` ascends.
-template <typename T>
+template<typename T>
 void keep(std::vector<T>& values, std::span<const std::uint32_t> kept) {
     if (values.empty()) return;
     for (std::size_t i = 0; i < kept.size(); ++i) values[i] = values[kept[i]];

@@ -8,6 +8,7 @@
 namespace nephrite::reference {
 
 double fresnelReflectance(double cosine, double eta) {
+    if (cosine <= 0) return 1;
     const double sineSquared = (1 - cosine * cosine) / (eta * eta);
     if (sineSquared >= 1) return 1;
     const double transmitted = std::sqrt(1 - sineSquared);

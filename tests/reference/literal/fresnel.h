@@ -7,7 +7,8 @@
 namespace nephrite::reference {
 
 /// Unpolarised reflectance (Fresnel 1823) for light that arrives at `cosine` to the normal from the side of
-/// index 1 and meets index `eta`; 1 at total reflection.
+/// index 1 and meets index `eta`; 1 at total reflection, and where the cosine is not positive: an
+/// interpolated normal may point away from a viewer who sees the triangle, and then nothing passes.
 double fresnelReflectance(double cosine, double eta);
 
 /// Direction behind a boundary of relative index `eta` for a unit direction `incident` (towards the surface)
