@@ -137,9 +137,14 @@ TimingsReport emptyReport(const RenderArguments& arguments, const runtime::Sessi
     report.height = session.plan().view.height;
     report.profiled = arguments.profile;
     for (const auto& pass : session.plan().passes) report.passes.push_back(session.plan().nameOf(pass));
-    for (graph::Index node = 0; node < session.plan().nodes.size(); ++node)
-        if (session.plan().nodes[node].state == graph::NodeState::Skipped)
-            report.skipped.push_back(session.plan().graph->nodeName(node));
+    // A skipped node whose output is wanted still has a pass, which clears it.
+    const auto& plan = session.plan();
+    for (graph::Index node = 0; node < plan.nodes.size(); ++node) {
+        const std::string& name = plan.graph->nodeName(node);
+        const bool isListed =
+            std::find(report.passes.begin(), report.passes.end(), name) != report.passes.end();
+        if (plan.nodes[node].state == graph::NodeState::Skipped && !isListed) report.skipped.push_back(name);
+    }
     return report;
 }
 

@@ -66,6 +66,12 @@ gpu::ShaderSource vertexStage(graph::ViewKind view) {
     return source;
 }
 
+/// A manifest may describe a pass written in C++, but this program has none built in.
+void requireShaderPass(const graph::PassType& type) {
+    if (type.kind != graph::PassKind::Native) return;
+    throw InputError(type.where, fmt::format("no native pass \"{}\" is built into this program", type.name));
+}
+
 std::vector<gpu::SpecializationValue> specializationValues(const NodeInterface& interface) {
     std::vector<gpu::SpecializationValue> values;
     for (std::uint32_t id = 0; id < interface.specialization.size(); ++id)
@@ -118,6 +124,7 @@ Filterable filterableOn(const gpu::Device& device) {
 
 PassProgram::PassProgram(const ProgramContext& context, const graph::Plan& plan,
                          const graph::PlannedPass& pass, const FrameResources& resources) {
+    requireShaderPass(plan.typeOf(pass));
     const NodeInterface interface = nodeInterface(plan, pass, filterableOn(context.device));
     createLayout(context, interface);
     createPipeline(context, plan, pass, interface);
