@@ -72,7 +72,7 @@ std::filesystem::path writeTexturedScene() {
         return Color{wave(2 * u + v), wave(u - 2 * v), wave(u + 0.3F) * (0.5F + v)};
     });
     // Brightest towards +y, and to the right of the middle.
-    writeImage("sky.exr", 64, 32, [](float u, float v) {
+    writeImage("sky.exr", 128, 64, [](float u, float v) {
         return Color{1.5F - v, 1.2F - 0.8F * v,
                      0.5F + 0.4F * wave(u - 0.5F) * std::sin(std::numbers::pi_v<float> * v)};
     });
