@@ -1,46 +1,11 @@
 // The scene's JSON Schema, from the key tables the readers use.
 #include "scene/scene_schema.h"
 
-#include <json/reader.h>
-#include <json/writer.h>
-
-#include <memory>
-#include <stdexcept>
-
 #include "scene/scene_keys.h"
+#include "text/json_schema.h"
 
 namespace nephrite::scene {
 namespace {
-
-/// A fragment of a schema written in this program.
-Json::Value fragment(std::string_view text) {
-    const std::unique_ptr<Json::CharReader> reader(Json::CharReaderBuilder().newCharReader());
-    Json::Value value;
-    std::string faults;
-    if (!reader->parse(text.data(), text.data() + text.size(), &value, &faults))
-        throw std::logic_error(faults);
-    return value;
-}
-
-Json::Value objectSchema(std::span<const json::Key> keys, std::string_view doc) {
-    Json::Value schema(Json::objectValue);
-    schema["type"] = "object";
-    schema["description"] = std::string(doc);
-    schema["additionalProperties"] = false;
-    for (const json::Key& key : keys) {
-        Json::Value property = fragment(key.schema);
-        if (property.isMember("$ref")) {
-            // Draft 4 ignores what stands beside a $ref.
-            Json::Value wrapped(Json::objectValue);
-            wrapped["allOf"].append(property);
-            property = wrapped;
-        }
-        property["description"] = std::string(key.doc);
-        schema["properties"][std::string(key.name)] = property;
-        if (key.required) schema["required"].append(std::string(key.name));
-    }
-    return schema;
-}
 
 constexpr std::string_view valueDefinitions = R"({
     "vector": {"type": "array", "minItems": 3, "maxItems": 3, "items": {"type": "number"}},
@@ -84,24 +49,23 @@ constexpr std::string_view valueDefinitions = R"({
 }  // namespace
 
 std::string sceneSchema() {
-    Json::Value schema = objectSchema(
+    Json::Value schema = json::objectSchema(
         keys::scene(), "A Nephrite scene: right-handed, +y up, lengths in units of millimetersPerUnit mm.");
-    schema["$schema"] = "http://json-schema.org/draft-04/schema#";
-    schema["title"] = "Nephrite scene";
-    Json::Value& definitions = schema["definitions"] = fragment(valueDefinitions);
-    definitions["camera"] = objectSchema(keys::camera(), "A perspective camera.");
-    definitions["light"] = objectSchema(keys::light(), "A point light.");
-    definitions["environment"] = objectSchema(keys::environment(), "Light from infinitely far away.");
-    definitions["material"] = objectSchema(keys::material(), "A surface and the layers under it.");
-    definitions["layer"] = objectSchema(keys::layer(), "A homogeneous or textured layer.");
-    definitions["texture"] = objectSchema(keys::texture(), "An image looked up at the texture coordinates.");
-    definitions["object"] = objectSchema(keys::object(), "A mesh with a material at a place.");
+    Json::Value definitions = json::schemaFragment(valueDefinitions);
+    definitions["camera"] = json::objectSchema(keys::camera(), "A perspective camera.");
+    definitions["light"] = json::objectSchema(keys::light(), "A point light.");
+    definitions["environment"] = json::objectSchema(keys::environment(), "Light from infinitely far away.");
+    definitions["material"] = json::objectSchema(keys::material(), "A surface and the layers under it.");
+    definitions["layer"] = json::objectSchema(keys::layer(), "A homogeneous or textured layer.");
+    definitions["texture"] =
+        json::objectSchema(keys::texture(), "An image looked up at the texture coordinates.");
+    definitions["object"] = json::objectSchema(keys::object(), "A mesh with a material at a place.");
     definitions["transform"] =
-        objectSchema(keys::transform(), "fit, scale, rotate and translate, in this order.");
-    definitions["clip"] = objectSchema(keys::clip(), "An animation of a glTF file.");
-    definitions["rotation"] = objectSchema(keys::rotation(), "A steady turn.");
-    definitions["path"] = objectSchema(keys::path(), "A closed path.");
-    return Json::writeString(Json::StreamWriterBuilder(), schema) + "\n";
+        json::objectSchema(keys::transform(), "fit, scale, rotate and translate, in this order.");
+    definitions["clip"] = json::objectSchema(keys::clip(), "An animation of a glTF file.");
+    definitions["rotation"] = json::objectSchema(keys::rotation(), "A steady turn.");
+    definitions["path"] = json::objectSchema(keys::path(), "A closed path.");
+    return json::schemaDocument(std::move(schema), "Nephrite scene", std::move(definitions));
 }
 
 }  // namespace nephrite::scene
