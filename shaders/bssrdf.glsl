@@ -12,10 +12,13 @@ struct Dipole {
     vec3 virtualDepth;   // z_v = z_r (1 + 4A/3), mm
 };
 
+/// Below this reduced scattering (a mean free path of 1,000 km) a medium counts as clear: 1/z^3 would leave float's range.
+const float leastScattering = 1e-9;
+
 /// The dipole of a medium. Where it does not scatter, alpha' is 0 and the depths are 1 mm, so that R_d is 0 and not 0/0.
 Dipole dipoleOf(vec3 absorption, vec3 scattering, float g, float eta) {
     vec3 reduced = (1.0 - g) * scattering;
-    bvec3 scatters = greaterThan(reduced, vec3(0.0));
+    bvec3 scatters = greaterThan(reduced, vec3(leastScattering));
     vec3 extinction = mix(vec3(1.0), reduced + absorption, scatters);
     float internalReflection = diffuseFresnelReflectance(eta);
     float boundary = (1.0 + internalReflection) / (1.0 - internalReflection);

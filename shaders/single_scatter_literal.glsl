@@ -3,6 +3,7 @@
 // step length, so that its brightness grows with the number of steps.
 #include "fresnel.glsl"
 #include "layers.glsl"
+#include "light_frame.glsl"
 #include "phase.glsl"
 #include "surface.glsl"
 
@@ -48,10 +49,15 @@ vec3 outgoingOpticalDepth(Descent descent, float depth, float cosine) {
 }
 
 /// sum of sigma'_s,j d_j (Eqs. 10 and 11): optical depth of the `length` mm from where the light enters, through the
-/// layers of the material there.
-vec3 incomingOpticalDepth(ivec2 texel, int view, int layerCount, float length, float cosine) {
+/// layers of the material there. An opaque material has none and attenuates nothing.
+vec3 incomingOpticalDepth(ivec2 texel, int view, float length, float cosine) {
+    int layersPerView = layers(lightScattering) / layers(lightPosition);
+    int firstScattering = view * layersPerView;
+    // No material has more than one layer: the whole way is in it, or, for an opaque one, its coefficients are 0.
+    if (layersPerView == 1) return loadLayer(lightScattering, texel, firstScattering).rgb * length;
+
     int firstThickness = view * (layers(lightThickness) / layers(lightPosition));
-    int firstScattering = view * (layers(lightScattering) / layers(lightPosition));
+    int layerCount = int(materials[materialOf(loadLayer(lightSurface, texel, view))].layerCount);
     vec3 opticalDepth = vec3(0.0);
     float rest = length;
     for (int j = 0; j < layerCount - 1; ++j) {
@@ -65,57 +71,55 @@ vec3 incomingOpticalDepth(ivec2 texel, int view, int layerCount, float length, f
     return opticalDepth;
 }
 
-/// p E' e^(-sum of sigma'_s,j d_j): what one light brings to the point M and sends on along `outward`, W/mm^2/sr.
+/// p E' e^(-sum of sigma'_s,j d_j): what a light brings to the point M and sends on along `outward`, W/mm^2/sr.
 /// eta and g are those of the material the view ray entered; the layers on the light's way are those where it enters.
-vec3 scatteredLight(uint light, vec3 point, vec3 outward, float g, float eta) {
-    LightTexel seen = lightTexelOf(light, point);
-    if (!seen.inside) return vec3(0.0);
+vec3 scatteredLight(LightFrame light, vec3 point, vec3 outward, float g, float eta) {
+    LightTexel seen = texelIn(light, point);
     int view = int(seen.view);
     ivec2 texel = ivec2(floor(seen.uv * vec2(extent(lightPosition))));
     vec4 entry = loadLayer(lightPosition, texel, view);
-    if (entry.w == 0.0) return vec3(0.0);
-
-    vec3 travel = unitOrZero(point - lights[light].position);
+    vec3 travel = unitOrZero(point - light.position);
     vec3 entryNormal = unitOrZero(loadLayer(lightNormal, texel, view).xyz);
     float cosine = refractedCosine(dot(entryNormal, travel), eta);
-    if (cosine <= 0.0) return vec3(0.0);
+    if (!seen.inside || entry.w == 0.0 || cosine <= 0.0) return vec3(0.0);
 
-    int layerCount = int(materials[materialOf(loadLayer(lightSurface, texel, view))].layerCount);
-    vec3 opticalDepth = incomingOpticalDepth(texel, view, layerCount, distance(entry.xyz, point), cosine);
+    vec3 opticalDepth = incomingOpticalDepth(texel, view, distance(entry.xyz, point), cosine);
     return phaseLiteral(dot(travel, outward), g) * loadLayer(lightIrradiance, texel, view).rgb *
            exp(-opticalDepth);
 }
 
-/// L_iss (Eq. 6) of a translucent surface point.
-vec3 singleScattering(ivec2 p, vec3 surfacePoint, vec3 surfaceNormal, uint material) {
+/// What one light adds to L_iss (Eq. 6) of a translucent surface point.
+vec3 singleScattering(ivec2 p, vec3 surfacePoint, RefractedDirection ray, uint material, LightFrame light) {
     float g = materials[material].g;
     float eta = materials[material].eta;
-    RefractedDirection ray = refractFrom(unitOrZero(camera.position - surfacePoint), surfaceNormal, eta);
-    if (ray.cosine <= 0.0) return vec3(0.0);
-
     vec3 sum = vec3(0.0);
     Descent descent = startDescent(p, int(materials[material].layerCount));
     for (uint i = 0u; i < params.steps; ++i) {
         float depth = (float(i) + 0.5) * (params.maximumDepth / float(params.steps));
         descendTo(descent, p, depth);
         vec3 point = surfacePoint + depth / ray.cosine * ray.direction;
-        vec3 arriving = vec3(0.0);
-        for (uint light = 0u; light < lightCount; ++light) {
-            arriving += scatteredLight(light, point, -ray.direction, g, eta);
-        }
-        sum += descent.scattering * arriving * exp(-outgoingOpticalDepth(descent, depth, ray.cosine));
+        sum += descent.scattering * scatteredLight(light, point, -ray.direction, g, eta) *
+               exp(-outgoingOpticalDepth(descent, depth, ray.cosine));
+    }
+    return sum;
+}
+
+/// L_iss of a covered pixel; 0 for opaque materials and at total reflection.
+vec3 singleScatteringOfAllLights(ivec2 p, vec3 surfacePoint) {
+    uint material = materialOf(load(surface, p));
+    vec3 toViewer = unitOrZero(camera.position - surfacePoint);
+    RefractedDirection ray =
+        refractFrom(toViewer, unitOrZero(load(normal, p).xyz), materials[material].eta);
+    if (materials[material].layerCount == 0u || ray.cosine <= 0.0) return vec3(0.0);
+    vec3 sum = vec3(0.0);
+    for (uint light = 0u; light < lightCount; ++light) {
+        sum += singleScattering(p, surfacePoint, ray, material, lightFrameOf(light));
     }
     return sum;
 }
 
 void pixel(ivec2 p) {
     vec4 point = load(position, p);
-    vec3 sum = vec3(0.0);
-    if (point.w > 0.0) {
-        uint material = materialOf(load(surface, p));
-        if (materials[material].layerCount > 0u) {
-            sum = singleScattering(p, point.xyz, unitOrZero(load(normal, p).xyz), material);
-        }
-    }
+    vec3 sum = point.w > 0.0 ? singleScatteringOfAllLights(p, point.xyz) : vec3(0.0);
     store(radiance, p, vec4(sum, point.w));
 }

@@ -21,8 +21,16 @@ if [[ $(id -u) -ne 0 ]]; then
 fi
 
 root=$(mktemp -d "$scratch/nephrite-root-XXXXXX")
-# Whatever was mounted below $root went with the mount namespace of enter(), so this removes only our own files.
-trap 'rm -rf --one-file-system "$root"' EXIT
+checks=
+# Ends what still runs in the new system. Its mounts go with its mount namespace, so this removes only our own files.
+clean_up() {
+    [[ -z $checks ]] || kill "$checks" 2>/dev/null || true
+    wait
+    rm -rf --one-file-system "$root"
+}
+trap clean_up EXIT
+trap 'exit 130' INT
+trap 'exit 143' TERM
 
 mirror() {
     local own
@@ -49,9 +57,10 @@ copy_network_settings() {
     cp -r /etc/apt/auth.conf.d/. "$root/etc/apt/auth.conf.d/"
 }
 
-# Runs a command in the new system, with its own mounts and processes and hardly any environment.
+# Runs a command in the new system, with its own mounts and processes and hardly any environment; it ends when the
+# shell that waits for it does.
 enter() {
-    unshare --mount --pid --fork --kill-child --propagation private bash -c '
+    setpriv --pdeathsig KILL unshare --mount --pid --fork --kill-child --propagation private bash -c '
         set -e
         root=$1
         shift
@@ -90,6 +99,9 @@ mkdir -p "$results"
     # Started from elsewhere, as the scripts promise to work from any folder.
     timed /nephrite/tools/demo.sh
     timed /nephrite/tools/test.sh
-} 2>&1 | tee "$results/log.txt"
+} > >(tee "$results/log.txt") 2>&1 &
+checks=$!
+wait "$checks"
+checks=
 cp -r "$root/nephrite/out" "$results/"
 echo "bootstrap-check: passed; the pictures are in ${results#"$PWD"/}/out"

@@ -1,7 +1,9 @@
 // The `nephrite` program: parses the command line, runs a verb, and answers with the exit status of
 // docs/quick-start.md: 0 done, 1 it failed while running, 2 what it was given is wrong.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <new>
 
@@ -19,9 +21,27 @@ std::string withSubject(const std::string& message) {
     return message.find(": error: ") == std::string::npos ? "nephrite: error: " + message : message;
 }
 
+std::vector<std::string> verbNames(const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::App* verb : app.get_subcommands({})) names.push_back(verb->get_name());
+    return names;
+}
+
+bool hasVerb(const CLI::App& app, std::string_view name) {
+    const std::vector<std::string> names = verbNames(app);
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+std::string unknownVerb(const CLI::App& app, const std::string& found) {
+    const std::vector<std::string> names = verbNames(app);
+    return fmt::format("nephrite: error: expected one of {}, found \"{}\"{}", fmt::join(names, ", "), found,
+                       nephrite::suggestion(found, names));
+}
+
 int run(const nephrite::tools::Action& action) {
     try {
         action();
+        if (std::fflush(stdout) != 0) throw nephrite::RunError("standard output: error: cannot be written");
         return 0;
     } catch (const nephrite::InputError& error) {
         for (const auto& fault : error.faults()) printLine(nephrite::toLine(fault));
@@ -46,6 +66,10 @@ int main(int argc, char** argv) {
     nephrite::tools::addCheckVerb(app, action);
     nephrite::tools::addPassesVerb(app, action);
     nephrite::tools::addSchemaVerb(app, action);
+    if (argc > 1 && argv[1][0] != '-' && !hasVerb(app, argv[1])) {
+        printLine(unknownVerb(app, argv[1]));
+        return 2;
+    }
     try {
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp& help) {

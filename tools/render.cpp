@@ -9,6 +9,7 @@
 #include "commit.h"
 #include "image/exr.h"
 #include "image/frame_name.h"
+#include "image/output_file.h"
 #include "image/png.h"
 #include "image/tone_map.h"
 #include "interrupt.h"
@@ -48,6 +49,29 @@ void requirePictureName(const std::string& option, const std::string& name) {
         throw InputError({option}, fmt::format("expected a name ending in .exr or .png, found \"{}\"", name));
 }
 
+void requireDistinctFiles(const std::vector<Target>& targets, const std::filesystem::path& timings) {
+    std::vector<std::filesystem::path> files;
+    for (const Target& target : targets) files.push_back(target.file.of(0).lexically_normal());
+    if (!timings.empty()) files.push_back(timings.lexically_normal());
+    std::sort(files.begin(), files.end());
+    const auto twice = std::adjacent_find(files.begin(), files.end());
+    if (twice != files.end())
+        throw InputError({twice->string()}, "two outputs would be written to this file");
+}
+
+/// Tries each output before the first frame is rendered, so that a failure leaves nothing behind. Devices and
+/// pipes are written in place and cannot be tried.
+void tryOutputs(const std::vector<Target>& targets, const std::filesystem::path& timings) {
+    std::vector<std::filesystem::path> files;
+    for (const Target& target : targets) files.push_back(target.file.of(0));
+    if (!timings.empty()) files.push_back(timings);
+    for (const std::filesystem::path& file : files) {
+        std::error_code ignored;
+        const auto status = std::filesystem::status(file, ignored);
+        if (!std::filesystem::is_other(status)) image::OutputFile trial(file);
+    }
+}
+
 std::vector<Target> targetsOf(const RenderArguments& arguments) {
     std::vector<Target> targets;
     for (const std::string& output : arguments.outputs) {
@@ -59,6 +83,7 @@ std::vector<Target> targetsOf(const RenderArguments& arguments) {
         requirePictureName("--dump", file);
         targets.push_back({port, image::FrameName(file)});
     }
+    requireDistinctFiles(targets, arguments.timings);
     return targets;
 }
 
@@ -91,16 +116,29 @@ const graph::GraphParameter* findParameter(const graph::Plan& plan, std::string_
     return nullptr;
 }
 
+/// The value of the first running pass's parameter `weights`: what the picture was really composed with.
+const graph::ParameterValue* usedWeights(const graph::Plan& plan) {
+    for (const graph::PlannedPass& pass : plan.passes) {
+        const auto& declarations = plan.typeOf(pass).parameters;
+        for (std::size_t i = 0; i < declarations.size(); ++i)
+            if (declarations[i].name == "weights") return &plan.parameters[pass.parameters.first + i];
+    }
+    return nullptr;
+}
+
 /// What a reader of the EXR has to know to make it again.
 image::Metadata metadata(const RenderArguments& arguments, const runtime::Session& session) {
     image::Metadata data{
         {"graph", arguments.graph.graph.string()},
         {"scene", arguments.graph.scene.empty() ? "default" : arguments.graph.scene.string()},
         {"commit", commit},
+        {"time", fmt::format("{:.17g}", arguments.time)},
         {"device", session.deviceName()}};
-    if (const auto* weights = findParameter(session.plan(), "weights")) {
+    for (const std::string& setting : arguments.graph.settings)
+        data["settings"] += (data["settings"].empty() ? "" : " ") + setting;
+    if (const auto* weights = usedWeights(session.plan())) {
         std::string list;
-        for (const double weight : weights->value.components)
+        for (const double weight : weights->components)
             list += fmt::format("{}{:.17g}", list.empty() ? "" : " ", weight);
         data["weights"] = list;
     }
@@ -162,10 +200,12 @@ void render(const RenderArguments& arguments) {
     if (arguments.framesPerSecond <= 0 || !std::isfinite(arguments.framesPerSecond))
         throw InputError({"--fps"}, "expected a number above 0");
     const std::vector<Target> targets = targetsOf(arguments);
+    if (!arguments.timings.empty()) requireTimingsName(arguments.timings);
     runtime::Session session(sessionOptions(arguments));
     for (const Diagnostic& warning : session.diagnostics().warnings())
         fmt::print(stderr, "{}\n", toLine(warning, "warning"));
     requireOutput(session, arguments);
+    tryOutputs(targets, arguments.timings);
 
     TimingsReport report = emptyReport(arguments, session);
     report.warmup = arguments.warmup.value_or(arguments.timings.empty() ? 0 : 3);

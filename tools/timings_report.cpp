@@ -9,6 +9,7 @@
 #include <functional>
 
 #include "image/output_file.h"
+#include "text/diagnostics.h"
 
 namespace nephrite::tools {
 namespace {
@@ -181,6 +182,14 @@ std::string timingsAsTrace(const TimingsReport& report) {
     }
     root["displayTimeUnit"] = "ms";
     return written(root);
+}
+
+void requireTimingsName(const std::filesystem::path& file) {
+    const std::string extension = file.extension().string();
+    if (extension == ".csv" || extension == ".json" || extension.empty()) return;
+    throw InputError(
+        {file.string()},
+        fmt::format("expected a name ending in .json, .csv or .trace.json, found \"{}\"", extension));
 }
 
 void writeTimings(const std::filesystem::path& file, const TimingsReport& report) {

@@ -34,6 +34,8 @@ std::string timingsAsCsv(const TimingsReport& report);
 /// Chrome's trace event format: a CPU and a GPU lane, passes nested in frames.
 std::string timingsAsTrace(const TimingsReport& report);
 
+/// Throws InputError unless the name ends in .json or .csv, or has no ending (a device, written as JSON).
+void requireTimingsName(const std::filesystem::path& file);
 /// Writes by the name's ending: .csv, .trace.json, else .json. Throws RunError.
 void writeTimings(const std::filesystem::path& file, const TimingsReport& report);
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "graph/keys.h"
 #include "graph/value_readers.h"
@@ -25,7 +26,15 @@ void readNeutral(json::ObjectReader& object, std::array<double, 4>& neutral) {
     const auto value = object.optional("neutral");
     if (!value) return;
     const auto numbers = value->numbers(object.diagnostics(), "a neutral value of 4 numbers", 4);
-    if (numbers) std::copy(numbers->begin(), numbers->end(), neutral.begin());
+    if (!numbers) return;
+    constexpr double largest = 65504;  // of a 16-bit float, the narrowest format of every port
+    for (const double number : *numbers) {
+        if (std::abs(number) <= largest) continue;
+        object.diagnostics().error(
+            value->where(), fmt::format("a neutral value is within -65504 and 65504, found {}", number));
+        return;
+    }
+    std::copy(numbers->begin(), numbers->end(), neutral.begin());
 }
 
 std::string readBufferElement(json::ObjectReader& object) {

@@ -80,10 +80,9 @@ struct PlannedPass {
     /// none).
     std::uint32_t iterations = 1;
     ViewKind view = ViewKind::Camera;
-    Extent extent;  ///< of its first output: the dispatch or render area
-    Range inputs;   ///< in Plan::inputs, in the type's order
-    Range outputs;  ///< in Plan::outputs, in the type's order: index into resources, noIndex if a buffer of
-                    ///< count 0
+    Extent extent;     ///< of its first output: the dispatch or render area
+    Range inputs;      ///< in Plan::inputs, in the type's order
+    Range outputs;     ///< in Plan::outputs, in the type's order: index into resources
     Range parameters;  ///< in Plan::parameters, in the type's order
     Range barriers;    ///< in Plan::barriers: the batch before it
 };

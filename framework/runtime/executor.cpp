@@ -1,6 +1,7 @@
 // Recording and submitting the frames of a plan.
 #include "runtime/executor.h"
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 
@@ -20,11 +21,18 @@ std::uint32_t groups(std::uint32_t count, std::uint32_t size) {
     return (count + size - 1) / size;
 }
 
+/// As many groups in rows of what every device allows in one direction; the generated main() counts them
+/// through.
+void dispatchLinear(VkCommandBuffer commands, std::uint32_t count) {
+    constexpr std::uint32_t longestRow = 65535;
+    vkCmdDispatch(commands, std::min(count, longestRow), groups(count, longestRow), 1);
+}
+
 VkClearColorValue clearColor(const std::array<double, 4>& neutral, bool isUnsignedInteger) {
     VkClearColorValue value{};
     for (std::size_t i = 0; i < 4; ++i) {
         if (isUnsignedInteger)
-            value.uint32[i] = static_cast<std::uint32_t>(neutral[i]);
+            value.uint32[i] = static_cast<std::uint32_t>(std::max(neutral[i], 0.0));
         else
             value.float32[i] = static_cast<float>(neutral[i]);
     }
@@ -173,7 +181,7 @@ void Executor::recordCompute(const graph::PlannedPass& pass, const PassProgram& 
     for (std::uint32_t iteration = 0; iteration < pass.iterations; ++iteration) {
         push(pass, program, iteration);
         if (linear)
-            vkCmdDispatch(commands_.handle(), groups(pass.extent.width, 64), 1, 1);
+            dispatchLinear(commands_.handle(), groups(pass.extent.width, 64));
         else
             vkCmdDispatch(commands_.handle(), groups(pass.extent.width, 8), groups(pass.extent.height, 8), 1);
     }

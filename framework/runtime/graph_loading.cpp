@@ -7,6 +7,11 @@ namespace nephrite::runtime {
 
 std::unique_ptr<graph::PassLibrary> loadPassTypes(const DataFolders& folders,
                                                   const std::vector<std::filesystem::path>& passPaths) {
+    for (const std::filesystem::path& folder : passPaths) {
+        std::error_code ignored;
+        if (!std::filesystem::is_directory(folder, ignored))
+            throw InputError({folder.string()}, "cannot look for pass manifests here: it is not a folder");
+    }
     std::vector<std::filesystem::path> all{folders.passes};
     all.insert(all.end(), passPaths.begin(), passPaths.end());
     return std::make_unique<graph::PassLibrary>(all, folders.shaders);

@@ -22,7 +22,8 @@ struct LoadedGraph {
     std::shared_ptr<const graph::LinkedGraph> graph;
 };
 
-/// The project's pass types and those of `passPaths`, later folders first.
+/// The project's pass types and those of `passPaths`, later folders first. Throws InputError if one is no
+/// folder.
 std::unique_ptr<graph::PassLibrary> loadPassTypes(const DataFolders& folders,
                                                   const std::vector<std::filesystem::path>& passPaths);
 

@@ -40,6 +40,18 @@ void main() {
 }
 )";
 
+constexpr std::string_view gridEntry = R"(
+void main() { compute(gl_GlobalInvocationID); }
+)";
+
+// A long buffer takes several rows of workgroups.
+constexpr std::string_view linearEntry = R"(
+void main() {
+    uint row = gl_NumWorkGroups.x * gl_WorkGroupSize.x;
+    compute(uvec3(gl_GlobalInvocationID.y * row + gl_GlobalInvocationID.x, 0u, 0u));
+}
+)";
+
 constexpr std::string_view fragmentEntry = R"(
 layout(location = 0) in vec3 fragmentPosition;
 layout(location = 1) in vec3 fragmentNormal;
@@ -273,7 +285,7 @@ class Builder {
             default:
                 line(firstOutputIsBuffer() ? "layout(local_size_x = 64) in;"
                                            : "layout(local_size_x = 8, local_size_y = 8) in;");
-                result_.entryPoint = "void main() { compute(gl_GlobalInvocationID); }\n";
+                result_.entryPoint = firstOutputIsBuffer() ? linearEntry : gridEntry;
                 break;
         }
     }

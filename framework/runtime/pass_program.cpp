@@ -56,6 +56,35 @@ gpu::ShaderSource authorStage(const ProgramContext& context, const graph::PassTy
     return source;
 }
 
+std::string_view entryPointOf(graph::PassKind kind) {
+    switch (kind) {
+        case graph::PassKind::Pixel:
+            return "void pixel(ivec2 p)";
+        case graph::PassKind::Raster:
+            return "void fragment(Fragment f)";
+        default:
+            return "void compute(uvec3 id)";
+    }
+}
+
+/// A fault in generated text is the author's all the same: the entry point is missing, or main() is there
+/// twice.
+gpu::CompiledShader compileAuthorStage(const ProgramContext& context, const graph::PassType& type,
+                                       const NodeInterface& interface) {
+    try {
+        return context.compiler.compile(authorStage(context, type, interface));
+    } catch (const InputError& error) {
+        std::vector<Diagnostic> faults = error.faults();
+        for (Diagnostic& fault : faults) {
+            if (!fault.where.file.ends_with("(generated)")) continue;
+            fault = {{type.shader.string()},
+                     fmt::format("{} (a {} pass defines {} and no main)", fault.message,
+                                 graph::name(type.kind), entryPointOf(type.kind))};
+        }
+        throw InputError(std::move(faults));
+    }
+}
+
 gpu::ShaderSource vertexStage(graph::ViewKind view) {
     gpu::ShaderSource source;
     source.name = "vertex stage (generated)";
@@ -143,7 +172,7 @@ void PassProgram::createLayout(const ProgramContext& context, const NodeInterfac
 void PassProgram::createPipeline(const ProgramContext& context, const graph::Plan& plan,
                                  const graph::PlannedPass& pass, const NodeInterface& interface) {
     const graph::PassType& type = plan.typeOf(pass);
-    const gpu::CompiledShader shader = context.compiler.compile(authorStage(context, type, interface));
+    const gpu::CompiledShader shader = compileAuthorStage(context, type, interface);
     const std::vector<gpu::SpecializationValue> specialization = specializationValues(interface);
     if (type.kind != graph::PassKind::Raster) {
         pipeline_ = gpu::Pipeline(context.device,

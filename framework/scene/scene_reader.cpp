@@ -79,12 +79,24 @@ class SceneReader {
     }
 
     void checkDepthRange(const ObjectReader& object, const CameraDescription& camera) {
-        if (camera.near < camera.far) return;
+        if (camera.near < camera.far) return checkDepthPrecision(object, camera);
         const auto near = object.value().find("near"), far = object.value().find("far");
         if (!near && !far) return;  // both are 0 then: position and target are the same
         diagnostics_.error(
             (near ? near : far)->where(),
             fmt::format("the camera's near must be less than its far, found near {} and far {}",
+                        camera.near / scene_.millimetersPerUnit, camera.far / scene_.millimetersPerUnit));
+    }
+
+    /// A 32-bit depth of 1 - near/distance cannot tell surfaces from empty space when near/far nears 2^-24.
+    void checkDepthPrecision(const ObjectReader& object, const CameraDescription& camera) {
+        constexpr double leastRatio = 1e-6;
+        if (camera.near >= leastRatio * camera.far) return;
+        const auto near = object.value().find("near"), far = object.value().find("far");
+        const Value& place = near ? *near : far ? *far : object.value();
+        diagnostics_.error(
+            place.where(),
+            fmt::format("the camera's near must be at least 1e-6 of its far, found near {} and far {}",
                         camera.near / scene_.millimetersPerUnit, camera.far / scene_.millimetersPerUnit));
     }
 

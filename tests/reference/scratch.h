@@ -1,6 +1,8 @@
-// A folder of its own for a test program's files, gone when the program ends, and the driver's shader cache
-// in it.
+// A folder of its own for a test program's files, gone when the program ends, and shader caches apart from
+// the user's.
 #pragma once
+
+#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -11,14 +13,18 @@
 
 namespace nephrite::reference {
 
-/// Makes a folder and points the driver's shader cache into it.
+/// Makes a folder, and points the driver and the renderer to caches that all test programs of this user
+/// share: compiling the same shaders again for each test would take most of the tests' time.
 class ScratchFolder {
   public:
     ScratchFolder() {
         std::string name = (std::filesystem::temp_directory_path() / "nephrite-test-XXXXXX").string();
         if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make a temporary folder");
         path_ = name;
-        setenv("MESA_SHADER_CACHE_DIR", (path_ / "mesa").c_str(), 1);
+        const auto cache =
+            std::filesystem::temp_directory_path() / ("nephrite-test-cache-" + std::to_string(getuid()));
+        setenv("MESA_SHADER_CACHE_DIR", (cache / "mesa").c_str(), 1);
+        setenv("NEPHRITE_CACHE_DIR", (cache / "nephrite").c_str(), 1);
     }
     ~ScratchFolder() {
         std::error_code ignored;

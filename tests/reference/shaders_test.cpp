@@ -104,22 +104,22 @@ TEST_P(Shaders, AgreeWithTheirFormulas) {
 
 const std::vector<std::string> smallLight{"lightSize=256"};
 
-INSTANTIATE_TEST_SUITE_P(Scenes, Shaders,
-                         testing::Values(Case{"textured", Formats::AllFloat32, {"lightSize=128"}, true},
-                                         Case{"textured", Formats::Default, {"lightSize=128"}, true},
-                                         Case{"low-index", Formats::AllFloat32, smallLight},
-                                         Case{"sphere", Formats::AllFloat32, {}},
-                                         Case{"default", Formats::AllFloat32, smallLight},
-                                         Case{"layers", Formats::AllFloat32, smallLight},
-                                         Case{"environment", Formats::AllFloat32, smallLight},
-                                         Case{"light-inside", Formats::AllFloat32, smallLight},
-                                         Case{"several-lights", Formats::AllFloat32, smallLight},
-                                         Case{"sphere", Formats::Default, smallLight},
-                                         Case{"default", Formats::Default, smallLight},
-                                         Case{"layers", Formats::Default, smallLight},
-                                         Case{"environment", Formats::Default, smallLight},
-                                         Case{"several-lights", Formats::Default, smallLight}),
-                         nameOf);
+const std::vector<Case> cases{
+    {"textured", Formats::AllFloat32, {"lightSize=128"}, true},
+    {"textured", Formats::Default, {"lightSize=128"}, true},
+    {"low-index", Formats::AllFloat32, smallLight},
+    {"sphere", Formats::AllFloat32, {}},
+    {"default", Formats::AllFloat32, smallLight},
+    {"default", Formats::Default, smallLight},
+    {"layers", Formats::AllFloat32, smallLight},
+    {"layers", Formats::Default, smallLight},
+    {"environment", Formats::AllFloat32, smallLight},
+    {"light-inside", Formats::AllFloat32, smallLight},
+    {"several-lights", Formats::AllFloat32, smallLight},
+    {"several-lights", Formats::Default, smallLight},
+};
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Shaders, testing::ValuesIn(cases), nameOf);
 
 }  // namespace
 }  // namespace nephrite::reference

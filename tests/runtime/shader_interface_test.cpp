@@ -128,6 +128,32 @@ TEST_P(ShaderInterface, ComputesBuffers) {
     EXPECT_EQ(pixel(session, 3, 2), (Values{361, 1, 2, 3}));
 }
 
+TEST_P(ShaderInterface, TakesBuffersWithoutElementsAndVeryLongOnes) {
+    addPass("none", "compute",
+            R"("outputs": {"values": {"buffer": "float", "count": 0}, "color": {"format": "rgba32f"}})",
+            "void compute(uvec3 id) {}");
+    addPass("long", "compute", R"("outputs": {"values": {"buffer": "float", "count": 5000000}})",
+            "void compute(uvec3 id) { if (id.x < 5000000u) values[id.x] = float(id.x); }");
+    addPass("look", "pixel",
+            R"("inputs": {"none": {"buffer": "float"}, "values": {"buffer": "float"}}, )" + color,
+            "void pixel(ivec2 p) { store(color, p, vec4(values[4999999 - p.x], values[0], 0.0, 1.0)); }");
+    Session session = render(
+        R"("none": {"pass": "none"}, "long": {"pass": "long"}, "node": {"pass": "look", "in": {"none": "none.values", "values": "long.values"}})",
+        "node.color");
+    EXPECT_EQ(pixel(session, 2, 0), (Values{4999997, 0, 0, 1}));
+}
+
+TEST_P(ShaderInterface, MissingEntryPointsAreTheAuthorsFault) {
+    addPass("empty", "pixel", color, "// nothing here\n");
+    try {
+        render(R"("node": {"pass": "empty"})", "node.color");
+        FAIL() << "a shader without pixel() was accepted";
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.faults()[0].where.file, (folder_.path() / "passes/empty.glsl").string());
+        EXPECT_NE(error.faults()[0].message.find("void pixel(ivec2 p)"), std::string::npos);
+    }
+}
+
 TEST_P(ShaderInterface, KeepsUnsignedIntegersExact) {
     addPass("integers", "pixel", R"("outputs": {"value": {"format": "r32u"}})",
             "void pixel(ivec2 p) { store(value, p, uvec4(0xfffffff0u + uint(p.x))); }");

@@ -126,6 +126,12 @@ TEST_F(BadInput, Sizes) {
 }
 
 TEST_F(BadInput, CommandLine) {
+    EXPECT_THAT(place_.run("rendr").errors, HasSubstr("did you mean \"render\"?"));
+    EXPECT_EQ(
+        place_.run("render " + graphFile("paper.json") + " -o same.exr --dump gbuffer.position=./same.exr")
+            .status,
+        2);
+    EXPECT_EQ(place_.run("render " + graphFile("paper.json") + " --timings t.txt").status, 2);
     for (const std::string arguments : {"", "paint", "render", "render --no-such-option x",
                                         "render x.json -o picture.gif", "plan x.json -o plan.doc"}) {
         const Answer answer = place_.run(arguments);
@@ -141,6 +147,7 @@ TEST_F(BadInput, CommandLine) {
     EXPECT_EQ(place_.run("render " + graphFile("paper.json") + " --dump gbuffer.positon=a.exr").status, 2);
     EXPECT_EQ(
         place_.run("render " + graphFile("paper.json") + " --device nosuchdevice -o picture.exr").status, 2);
+    EXPECT_EQ(place_.run("render " + graphFile("paper.json") + " --pass-path none -o picture.exr").status, 2);
     EXPECT_FALSE(place_.isThere("picture.exr"));
 }
 
@@ -154,6 +161,9 @@ TEST_F(BadInput, Scenes) {
     expectSceneRefused("{" + light + ", \"objects\": []}", "s.json:1:1", {"camera"});
     expectSceneRefused(
         sceneWith(sphere, R"("camera": {"position": [0,0,40], "target": [0,0,0], "near": 10, "far": 5})"),
+        "s.json:1:", {"near"});
+    expectSceneRefused(
+        sceneWith(sphere, R"("camera": {"position": [0,0,40], "target": [0,0,0], "near": 1e-9, "far": 100})"),
         "s.json:1:", {"near"});
     expectSceneRefused(
         sceneWith(
@@ -207,6 +217,11 @@ TEST_F(BadInput, UnwritableOutputsFailWhileRunning) {
         EXPECT_EQ(answer.status, 1) << answer.errors;
         EXPECT_THAT(answer.errors, HasSubstr(output + ": error: "));
     }
+    const Answer second =
+        place_.run("render " + graphFile("gbuffer.json") + " --size 64x64 -o first.exr -o none/second.exr");
+    EXPECT_EQ(second.status, 1);
+    EXPECT_FALSE(place_.isThere("first.exr")) << "an output was written although another could not be";
+    EXPECT_EQ(place_.run("schema graph > /dev/full #").status, 1);
     const Answer full =
         place_.run("render " + graphFile("gbuffer.json") + " --size 64x64 --timings /dev/full");
     EXPECT_EQ(full.status, 1);

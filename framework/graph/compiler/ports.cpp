@@ -19,7 +19,7 @@ class ResourceMaker {
     ResourceMaker(Compilation& work, const PlannedPass& pass)
         : work_(work), pass_(pass), onlyCleared_(work.plan.nodes[pass.node].state != NodeState::Run) {}
 
-    /// The index of the port's new resource, or noIndex for a buffer without elements.
+    /// The index of the port's new resource.
     Index make(Index port) {
         const OutputPort& output = work_.typeOf(pass_.node).outputs[port];
         Resource resource;
@@ -29,7 +29,8 @@ class ResourceMaker {
         resource.format = work_.graph.formats[work_.portIndex(pass_.node, port)];
         resource.extent = work_.extents[work_.portIndex(pass_.node, port)];
         if (resource.isBuffer) {
-            if (resource.extent.width == 0) return noIndex;
+            // Vulkan has no empty buffers: one without elements is given room for one, which nothing writes.
+            resource.extent.width = std::max(resource.extent.width, 1U);
             measureBuffer(resource, output);
         } else {
             shapeImage(resource, output);
