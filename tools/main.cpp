@@ -41,7 +41,8 @@ std::string unknownVerb(const CLI::App& app, const std::string& found) {
 int run(const nephrite::tools::Action& action) {
     try {
         action();
-        if (std::fflush(stdout) != 0) throw nephrite::RunError("standard output: error: cannot be written");
+        if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+            throw nephrite::RunError("standard output: error: cannot be written");
         return 0;
     } catch (const nephrite::InputError& error) {
         for (const auto& fault : error.faults()) printLine(nephrite::toLine(fault));
