@@ -53,7 +53,7 @@ class Session {
     /// channels "layer1.R", "mip2.R"; layer 0 of level 0 is plain "R".
     image::Image read(const std::string& name);
 
-    const graph::Plan& plan() const;
+    const graph::Plan& plan() const;  ///< points to pass types of the session: a copy must not outlive it
     const Diagnostics& diagnostics() const;  ///< warnings so far
     const scene::Scene& scene() const;
     const std::string& deviceName() const;
