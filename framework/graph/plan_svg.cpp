@@ -26,6 +26,13 @@ using Context = std::unique_ptr<GVC_t, FreeContext>;
 using Graph = std::unique_ptr<Agraph_t, CloseGraph>;
 using Rendering = std::unique_ptr<char, FreeRendering>;
 
+/// Graphviz's text plugin remembers the name of the last font by an address inside the context that drew it,
+/// and looks there again when the next drawing starts. So one context lasts as long as the program.
+GVC_t* sharedContext() {
+    static const Context context(gvContext());
+    return context.get();
+}
+
 [[noreturn]] void fail(std::string_view step) {
     const char* reason = aglasterr();
     throw RunError(fmt::format("Graphviz could not {} the plan{}{}", step, reason == nullptr ? "" : ": ",
@@ -65,11 +72,11 @@ std::string planAsSvg(const Plan& plan) {
                         plan.nodes.size(), mostNodes));
     }
     agseterr(AGMAX);  // errors are thrown, not printed
-    const Context context(gvContext());
-    if (!context) fail("start to draw");
+    GVC_t* context = sharedContext();
+    if (context == nullptr) fail("start to draw");
     const Graph graph(agmemread(planAsDot(plan).c_str()));
     if (!graph) fail("read");
-    return Drawing(context.get(), graph.get()).asSvg();
+    return Drawing(context, graph.get()).asSvg();
 }
 
 }  // namespace nephrite::graph
