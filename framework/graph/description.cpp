@@ -80,16 +80,13 @@ class NodeReader {
   private:
     void readIteration() {
         static constexpr std::array<std::string_view, 2> views{"camera", "light"};
-        static constexpr std::array<std::string_view, 1> iterations{"lights"};
         if (const auto value = object_.optional("forEach")) {
-            node_.forEachLight = readChoice(*value, iterations, diagnostics_).has_value();
+            node_.forEach = readForEach(*value, diagnostics_);
+            node_.whereForEach = value->where();
         }
-        const auto value = object_.optional("view");
-        if (!value) return;
-        node_.view = static_cast<ViewKind>(readChoice(*value, views, diagnostics_).value_or(0));
-        if (node_.view == ViewKind::Light && !node_.forEachLight) {
-            diagnostics_.error(value->where(),
-                               "a node with the view \"light\" needs \"forEach\": \"lights\"");
+        if (const auto value = object_.optional("view")) {
+            node_.view = static_cast<ViewKind>(readChoice(*value, views, diagnostics_).value_or(0));
+            node_.whereView = value->where();
         }
     }
 
@@ -114,9 +111,12 @@ class NodeReader {
         const auto value = object_.optional("size");
         if (!value) return;
         node_.size = readSize(*value, diagnostics_);
-        if (node_.size && node_.size->kind == SizeRule::Kind::Like) {
-            readPortReference(node_.size->like, node_.size->where, diagnostics_);
-        }
+        if (!node_.size || node_.size->kind != SizeRule::Kind::Like) return;
+        const auto reference = readPortReference(node_.size->like, node_.size->where, diagnostics_);
+        if (!reference || (reference->framesBack == 0 && !reference->mip && !reference->layer)) return;
+        diagnostics_.error(node_.size->where,
+                           fmt::format("a size is like that of a whole port of this frame, found {}",
+                                       inQuotes(node_.size->like)));
     }
 
     json::ObjectReader object_;
@@ -124,9 +124,31 @@ class NodeReader {
     NodeDescription node_;
 };
 
+GraphImport readImport(const std::string& name, const json::Value& value, Diagnostics& diagnostics) {
+    GraphImport result;
+    result.name = name;
+    result.where = value.whereKey();
+    json::ObjectReader object(value, "an import", keys::graphImport(), diagnostics);
+    if (const auto image = object.optional("image")) {
+        const auto file = image->string(diagnostics, "an image's file name");
+        if (file && file->empty())
+            diagnostics.error(image->where(), "expected an image's file name, found \"\"");
+        if (file) result.image = std::filesystem::path(result.where.file).parent_path() / *file;
+    }
+    if (const auto format = object.optional("format")) {
+        result.format = readFormat(*format, diagnostics).value_or(result.format);
+        if (info(result.format).isDepth)
+            diagnostics.error(format->where(), "an import cannot be d32f, which raster passes alone write");
+    }
+    if (const auto doc = object.optional("doc"))
+        result.doc = doc->string(diagnostics, "a string").value_or("");
+    object.finish();
+    return result;
+}
+
 void readNodes(const json::Value& value, GraphDescription& graph, Diagnostics& diagnostics) {
     const auto members = membersOf(value, "nodes", diagnostics);
-    if (value.isObject() && members.empty())
+    if (value.isObject() && members.empty() && graph.imports.empty())
         diagnostics.error(value.where(), "a graph needs at least one node");
     graph.nodes.reserve(members.size());
     for (const auto& [name, member] : members) {
@@ -146,19 +168,6 @@ void readOutputs(const json::Value& value, GraphDescription& graph, Diagnostics&
 
 }  // namespace
 
-std::optional<PortReference> readPortReference(const std::string& text, const SourceLocation& where,
-                                               Diagnostics& diagnostics) {
-    const std::size_t dot = text.find('.');
-    const bool wellFormed = dot != std::string::npos &&
-                            isIdentifier(std::string_view(text).substr(0, dot), true) &&
-                            isIdentifier(std::string_view(text).substr(dot + 1));
-    if (!wellFormed) {
-        diagnostics.error(where, fmt::format("expected a \"node.port\", found {}", inQuotes(text)));
-        return std::nullopt;
-    }
-    return PortReference{text.substr(0, dot), text.substr(dot + 1), where};
-}
-
 GraphDescription readGraph(const json::Value& value) {
     Diagnostics diagnostics;
     GraphDescription graph;
@@ -174,6 +183,12 @@ GraphDescription readGraph(const json::Value& value) {
             if (auto parameter = readGraphParameter(name, member, diagnostics)) {
                 graph.parameters.push_back(std::move(*parameter));
             }
+        }
+    }
+    if (const auto imports = object.optional("imports")) {
+        for (const auto& [name, member] : membersOf(*imports, "imports", diagnostics)) {
+            checkName(member, name, "an import", true, diagnostics);
+            graph.imports.push_back(readImport(name, member, diagnostics));
         }
     }
     if (const auto nodes = object.optional("nodes")) readNodes(*nodes, graph, diagnostics);

@@ -21,11 +21,11 @@ std::optional<ParameterValue> readGraphParameterValue(const json::Value& value, 
     return ParameterValue{std::move(*numbers)};
 }
 
-void checkGraphParameterRange(const GraphParameter& parameter, const SourceLocation& where,
-                              Diagnostics& diagnostics) {
+void checkGraphParameterRange(const GraphParameter& parameter, const ParameterValue& value,
+                              const SourceLocation& where, Diagnostics& diagnostics) {
     if (!parameter.range) return;
     const auto [least, most] = *parameter.range;
-    for (const double component : parameter.value.components) {
+    for (const double component : value.components) {
         if (component >= least && component <= most) continue;
         diagnostics.error(where, fmt::format("{} is out of range, expected {} to {}, found {}",
                                              parameter.name, least, most, component));
@@ -49,7 +49,7 @@ std::optional<GraphParameter> readGraphParameter(const std::string& name, const 
     auto components = readGraphParameterValue(*given, diagnostics);
     if (!components) return std::nullopt;
     parameter.value = std::move(*components);
-    checkGraphParameterRange(parameter, given->where(), diagnostics);
+    checkGraphParameterRange(parameter, parameter.value, given->where(), diagnostics);
     return parameter;
 }
 

@@ -15,8 +15,8 @@ std::optional<GraphParameter> readGraphParameter(const std::string& name, const 
 /// The value of a graph parameter written as JSON: a boolean, a number, an array of numbers.
 std::optional<ParameterValue> readGraphParameterValue(const json::Value& value, Diagnostics& diagnostics);
 
-/// Adds a fault at `where` if a component is outside the parameter's range.
-void checkGraphParameterRange(const GraphParameter& parameter, const SourceLocation& where,
-                              Diagnostics& diagnostics);
+/// Adds a fault at `where` if a component of `value` is outside the parameter's range.
+void checkGraphParameterRange(const GraphParameter& parameter, const ParameterValue& value,
+                              const SourceLocation& where, Diagnostics& diagnostics);
 
 }  // namespace nephrite::graph

@@ -15,6 +15,7 @@ constexpr std::string_view size = R"({"$ref": "#/definitions/size"})";
 constexpr std::string_view format = R"({"$ref": "#/definitions/format"})";
 constexpr std::string_view neutral = R"({"$ref": "#/definitions/neutral"})";
 constexpr std::string_view range = R"({"$ref": "#/definitions/range"})";
+constexpr std::string_view forEach = R"({"enum": ["lights", "mips"]})";
 constexpr std::string_view element = R"({"$ref": "#/definitions/bufferElement"})";
 
 constexpr std::array graphKeys{
@@ -22,6 +23,8 @@ constexpr std::array graphKeys{
     Key{"doc", text, "what the graph computes"},
     Key{"parameters", R"({"type": "object", "additionalProperties": {"$ref": "#/definitions/parameter"}})",
         "values nodes may use as \"$NAME\" and expressions as graph.NAME"},
+    Key{"imports", R"({"type": "object", "additionalProperties": {"$ref": "#/definitions/import"}})",
+        "images from outside, which nodes read as \"import(NAME)\""},
     Key{"nodes",
         R"({"type": "object", "minProperties": 1, "additionalProperties": {"$ref": "#/definitions/node"}})",
         "the passes, by the names the rest of the graph calls them", true},
@@ -38,14 +41,21 @@ constexpr std::array graphParameterKeys{
     Key{"doc", text, "what it means, with its unit"},
 };
 
+constexpr std::array graphImportKeys{
+    Key{"image", text,
+        "an OpenEXR file beside the graph; without it the program that uses the graph hands one over"},
+    Key{"format", format, "pixel format; rgba32f if absent"},
+    Key{"doc", text, "what it holds, with its unit"},
+};
+
 constexpr std::array nodeKeys{
     Key{"pass", text, "the pass type: the name of a manifest", true},
     Key{"view", R"({"enum": ["camera", "light"]})",
         "from where a raster pass draws; \"light\" needs forEach"},
-    Key{"forEach", R"({"enum": ["lights"]})",
-        "runs once for each view of each light; outputs get layers for each"},
+    Key{"forEach", forEach,
+        "runs once for each view of each light, or for each level of its outputs; the pass type's if absent"},
     Key{"in", R"({"type": "object", "additionalProperties": {"$ref": "#/definitions/port"}})",
-        "input ports, each with the \"node.port\" it reads"},
+        "input ports, each with the \"node.port\" it reads, or previous(...), mip(...), layer(...) of one"},
     Key{"set", R"({"type": "object"})",
         "parameters of the pass type: a value, or \"$NAME\" of a graph parameter"},
     Key{"size", size, "of every output of the node"},
@@ -69,6 +79,10 @@ constexpr std::array manifestKeys{
         "values a graph may set"},
     Key{"skipWhen", expression, "where this is true the pass does not run and its outputs are neutral"},
     Key{"sideEffect", boolean, "true: it runs although nothing reads its outputs"},
+    Key{"forEach", forEach,
+        "runs once for each view of each light, or for each level of its outputs, unless its node says "
+        "otherwise"},
+    Key{"domain", text, "an input of a pixel pass: where its last channel is 0 every output is neutral"},
     Key{"raster", R"({"$ref": "#/definitions/raster"})", "how a raster pass draws"},
 };
 
@@ -90,6 +104,7 @@ constexpr std::array outputKeys{
     Key{"layers", expression, "array layers, for each iteration of a forEach node"},
     Key{"buffer", element, "it is a buffer of this GLSL type"},
     Key{"count", expression, "elements of the buffer"},
+    Key{"modifies", text, "an input: the output is that image or buffer, written again in place"},
 };
 
 constexpr std::array parameterKeys{
@@ -116,6 +131,9 @@ std::span<const Key> graph() {
 }
 std::span<const Key> graphParameter() {
     return graphParameterKeys;
+}
+std::span<const Key> graphImport() {
+    return graphImportKeys;
 }
 std::span<const Key> node() {
     return nodeKeys;

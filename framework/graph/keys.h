@@ -10,6 +10,7 @@ namespace nephrite::graph::keys {
 // A graph file.
 std::span<const json::Key> graph();
 std::span<const json::Key> graphParameter();
+std::span<const json::Key> graphImport();
 std::span<const json::Key> node();
 
 // A pass manifest.

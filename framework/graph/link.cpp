@@ -4,8 +4,8 @@
 #include <unordered_map>
 
 #include "graph/link_parameters.h"
-#include "graph/linked_graph.h"
-#include "graph/node_order.h"
+#include "graph/link_phases.h"
+#include "graph/manifest_roles.h"
 #include "graph/value_readers.h"
 
 namespace nephrite::graph {
@@ -15,37 +15,79 @@ namespace {
 /// suggestions.
 constexpr std::size_t faultsWithSuggestion = 100;
 
+std::shared_ptr<LinkedGraph> graphOf(GraphDescription description) {
+    auto graph = std::make_shared<LinkedGraph>();
+    graph->description = std::move(description);
+    return graph;
+}
+
 class Linker {
   public:
     Linker(GraphDescription description, const PassLibrary& passTypes)
-        : graph_(std::make_shared<LinkedGraph>()), passTypes_(passTypes) {
-        graph_->description = std::move(description);
-    }
+        : graph_(graphOf(std::move(description))),
+          passTypes_(passTypes),
+          parameters_(*graph_, diagnostics_) {}
 
     std::shared_ptr<const LinkedGraph> link() {
         nameNodes();
-        ParameterLinker parameters(*graph_, diagnostics_);
         for (Index node = 0; node < graph_->nodes.size(); ++node) {
+            if (graph_->nodes[node].role == NodeRole::Pass && graph_->nodes[node].type != nullptr)
+                linkOwn(node);
+        }
+        for (Index node = 0; node < graph_->nodes.size(); ++node) {
+            if (graph_->nodes[node].role != NodeRole::Pass) continue;
             linkInputs(node);
             linkSize(node);
-            if (graph_->nodes[node].type == nullptr) continue;
-            linkFormats(node);
-            parameters.linkParameters(node);
-            parameters.checkExpressions(node);
         }
         linkOutputs();
-        order();
+        addTileLists(*graph_);
+        LinkWork work{*graph_, diagnostics_, std::move(references_)};
+        work.references.resize(graph_->inputs.size(), nullptr);
+        checkModifiers(work);
+        indexGraph(*graph_);
+        orderDeclarations(work);
         diagnostics_.throwIfErrors();
+        inheritFormats(*graph_);
         return graph_;
     }
 
   private:
     void nameNodes() {
+        const auto nodeCount = static_cast<Index>(graph_->description.nodes.size());
+        graph_->nodes.resize(nodeCount);
+        addImports(*graph_);
         const auto& descriptions = graph_->description.nodes;
-        graph_->nodes.resize(descriptions.size());
         for (Index node = 0; node < descriptions.size(); ++node) {
-            nodeNamed_.emplace(descriptions[node].name, node);
-            graph_->nodes[node].type = findType(descriptions[node]);
+            const auto [other, isNew] = nodeNamed_.emplace(descriptions[node].name, node);
+            if (!isNew) {
+                diagnostics_.error(descriptions[node].where,
+                                   fmt::format("two nodes are called {}", inQuotes(descriptions[node].name)));
+            }
+            if (node < nodeCount) graph_->nodes[node].type = findType(descriptions[node]);
+        }
+    }
+
+    /// What concerns the node and its type alone.
+    void linkOwn(Index node) {
+        linkFormats(*graph_, node, diagnostics_);
+        parameters_.linkParameters(node);
+        parameters_.checkExpressions(node);
+        linkIteration(node);
+    }
+
+    void linkIteration(Index node) {
+        const NodeDescription& description = graph_->description.nodes[node];
+        LinkedNode& linked = graph_->nodes[node];
+        linked.forEach = description.forEach.value_or(linked.type->forEach);
+        if (description.view == ViewKind::Light && linked.forEach != ForEach::Lights) {
+            diagnostics_.error(description.whereView,
+                               "a node with the view \"light\" needs \"forEach\": \"lights\"");
+        }
+        if (description.forEach != ForEach::Mips) return;
+        if (const auto fault = whyNotForEachMip(*linked.type)) {
+            diagnostics_.error(description.whereForEach,
+                               fmt::format("the pass {} cannot run for each mip: {}",
+                                           inQuotes(linked.type->name), fault->message));
         }
     }
 
@@ -74,27 +116,33 @@ class Linker {
 
     /// The node and output of a reference; the node alone if only the output is unknown; each with a fault.
     LinkedInput resolve(const PortReference& reference) {
-        const auto& descriptions = graph_->description.nodes;
         const auto found = nodeNamed_.find(reference.node);
         if (found == nodeNamed_.end()) {
-            const bool suggest = diagnostics_.errors().size() < faultsWithSuggestion;
-            diagnostics_.error(reference.where,
-                               fmt::format("unknown node {}{}", inQuotes(reference.node),
-                                           suggest ? suggestionAmong(reference.node, descriptions) : ""));
+            diagnostics_.error(reference.where, whyUnknown(reference));
             return {};
         }
-        const Index node = found->second;
-        const PassType* type = graph_->nodes[node].type;
-        if (type == nullptr) return {node, noIndex};
+        LinkedInput source;
+        source.sourceNode = found->second;
+        const PassType* type = graph_->nodes[source.sourceNode].type;
+        source.framesBack = static_cast<std::uint16_t>(reference.framesBack);
+        if (type == nullptr) return source;
         const OutputPort* port = findNamed(type->outputs, reference.port);
         if (port == nullptr) {
             diagnostics_.error(
                 reference.where,
                 fmt::format("{} (pass {}) has no output {}{}", inQuotes(reference.node), inQuotes(type->name),
                             inQuotes(reference.port), suggestionAmong(reference.port, type->outputs)));
-            return {node, noIndex};
+            return source;
         }
-        return {node, static_cast<Index>(port - type->outputs.data())};
+        source.sourcePort = static_cast<Index>(port - type->outputs.data());
+        if (auto fault = faultOfView(*graph_, reference, source))
+            diagnostics_.error(reference.where, std::move(*fault));
+        return source;
+    }
+
+    std::string whyUnknown(const PortReference& reference) const {
+        const bool suggest = diagnostics_.errors().size() < faultsWithSuggestion;
+        return unknownNode(graph_->description, reference, suggest);
     }
 
     void linkInputs(Index node) {
@@ -103,10 +151,10 @@ class Linker {
         linked.inputs.first = static_cast<Index>(graph_->inputs.size());
         linked.inputs.count = linked.type == nullptr ? 0 : static_cast<Index>(linked.type->inputs.size());
         graph_->inputs.resize(graph_->inputs.size() + linked.inputs.count);
+        references_.resize(graph_->inputs.size(), nullptr);
         std::vector<bool> connected(linked.inputs.count, false);
         for (const auto& [name, reference] : description.inputs) {
             const LinkedInput source = resolve(reference);
-            if (source.sourceNode != noIndex) dependencies_.push_back({source.sourceNode, node});
             if (linked.type == nullptr) continue;
             const InputPort* port = findNamed(linked.type->inputs, name);
             if (port == nullptr) {
@@ -118,24 +166,27 @@ class Linker {
             const auto index = static_cast<std::size_t>(port - linked.type->inputs.data());
             connected[index] = true;
             graph_->inputs[linked.inputs.first + index] = source;
+            references_[linked.inputs.first + index] = &reference;
             if (source.sourcePort != noIndex) checkConnection(*port, source, reference);
         }
         if (linked.type != nullptr) checkRequiredInputs(description, *linked.type, connected);
     }
 
     void checkConnection(const InputPort& input, const LinkedInput& source, const PortReference& reference) {
-        const OutputPort& output = graph_->nodes[source.sourceNode].type->outputs[source.sourcePort];
+        const LinkedNode& from = graph_->nodes[source.sourceNode];
+        const OutputPort& output = from.type->outputs[source.sourcePort];
+        const Format format = graph_->formats[from.formats.first + source.sourcePort];
         const auto sort = [](const std::string& element, bool isInteger) -> std::string {
             if (!element.empty()) return fmt::format("a buffer of {}", element);
             return isInteger ? "an image of unsigned integers (r32u)" : "an image of floats";
         };
         const bool expectsInteger = input.format && info(*input.format).isUnsignedInteger;
         const std::string expected = sort(input.bufferElement, expectsInteger);
-        const std::string found = sort(output.bufferElement, info(output.format).isUnsignedInteger);
+        const std::string found = sort(output.bufferElement, info(format).isUnsignedInteger);
         if (expected == found) return;
         diagnostics_.error(reference.where,
-                           fmt::format("{} expects {}, but {}.{} is {}", inQuotes(input.name), expected,
-                                       reference.node, reference.port, found));
+                           fmt::format("{} expects {}, but {} is {}", inQuotes(input.name), expected,
+                                       graph_->portName(source.sourceNode, source.sourcePort), found));
     }
 
     void checkRequiredInputs(const NodeDescription& node, const PassType& type,
@@ -154,7 +205,6 @@ class Linker {
         const auto reference = readPortReference(size->like, size->where, diagnostics_);
         if (!reference) return;
         const LinkedInput source = resolve(*reference);
-        if (source.sourceNode != noIndex) dependencies_.push_back({source.sourceNode, node});
         graph_->nodes[node].sizeLikeNode = source.sourceNode;
         graph_->nodes[node].sizeLikePort = source.sourcePort;
         if (source.sourcePort == noIndex) return;
@@ -164,69 +214,12 @@ class Linker {
         }
     }
 
-    void linkFormats(Index node) {
-        const NodeDescription& description = graph_->description.nodes[node];
-        LinkedNode& linked = graph_->nodes[node];
-        linked.formats.first = static_cast<Index>(graph_->formats.size());
-        linked.formats.count = static_cast<Index>(linked.type->outputs.size());
-        for (const OutputPort& output : linked.type->outputs) graph_->formats.push_back(output.format);
-        for (const FormatOverride& change : description.formats) {
-            const OutputPort* port = findNamed(linked.type->outputs, change.port);
-            if (port == nullptr) {
-                diagnostics_.error(
-                    change.where,
-                    fmt::format("the pass {} has no output {}{}", inQuotes(linked.type->name),
-                                inQuotes(change.port), suggestionAmong(change.port, linked.type->outputs)));
-            } else if (formatFits(*port, change)) {
-                graph_->formats[linked.formats.first +
-                                static_cast<std::size_t>(port - linked.type->outputs.data())] = change.format;
-            }
-        }
-    }
-
-    /// The shader was written for floats, for unsigned integers or for depth: a format may change within
-    /// these only.
-    bool formatFits(const OutputPort& port, const FormatOverride& change) {
-        const FormatInfo& from = info(port.format);
-        const FormatInfo& to = info(change.format);
-        if (!port.bufferElement.empty()) {
-            diagnostics_.error(change.where,
-                               fmt::format("{} is a buffer and has no pixel format", inQuotes(port.name)));
-            return false;
-        }
-        if (from.isDepth == to.isDepth && from.isUnsignedInteger == to.isUnsignedInteger) return true;
-        diagnostics_.error(change.where, fmt::format("{} has the format {}, which cannot be changed to {}",
-                                                     inQuotes(port.name), from.name, to.name));
-        return false;
-    }
-
     void linkOutputs() {
         for (const auto& [name, reference] : graph_->description.outputs) {
             const LinkedInput source = resolve(reference);
-            graph_->outputs.push_back({name, source.sourceNode, source.sourcePort, reference.where});
+            graph_->outputs.push_back({name, source.sourceNode, source.sourcePort, reference.where,
+                                       source.framesBack, source.mip, source.layer});
         }
-    }
-
-    void order() {
-        NodeOrder order = orderNodes(static_cast<Index>(graph_->nodes.size()), dependencies_);
-        for (const std::vector<Index>& cycle : order.cycles) {
-            std::string path;
-            for (const Index node : cycle) path += graph_->nodeName(node) + " -> ";
-            path += graph_->nodeName(cycle.front());
-            diagnostics_.error(whereReads(cycle.front(), cycle.back()),
-                               fmt::format("{} needs its own result, the cycle is {}",
-                                           inQuotes(graph_->nodeName(cycle.front())), path));
-        }
-        graph_->declarationOrder = std::move(order.nodes);
-    }
-
-    /// Where `reader` names `source`.
-    SourceLocation whereReads(Index reader, Index source) const {
-        const NodeDescription& description = graph_->description.nodes[reader];
-        for (const auto& [name, reference] : description.inputs) {
-            if (reference.node == graph_->nodeName(source)) return reference.where;
-        }
-        return description.size ? description.size->where : description.where;
     }
 
     std::shared_ptr<LinkedGraph> graph_;
@@ -235,7 +228,8 @@ class Linker {
     std::unordered_map<std::string_view, Index> nodeNamed_;
     std::unordered_map<std::string_view, const PassType*> types_;
     std::unordered_map<std::string_view, bool> unknownTypes_;
-    std::vector<Dependency> dependencies_;
+    ParameterLinker parameters_;
+    std::vector<const PortReference*> references_;  ///< by linked input
 };
 
 }  // namespace

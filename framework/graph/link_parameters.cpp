@@ -20,7 +20,10 @@ std::string describe(const GraphParameter& parameter) {
 ParameterLinker::ParameterLinker(LinkedGraph& graph, Diagnostics& diagnostics)
     : graph_(graph), diagnostics_(diagnostics) {
     const auto& parameters = graph_.description.parameters;
-    for (Index i = 0; i < parameters.size(); ++i) graphParameters_.emplace(parameters[i].name, i);
+    for (Index i = 0; i < parameters.size(); ++i) {
+        graphParameters_.emplace(parameters[i].name, i);
+        graph_.values.graph.push_back(parameters[i].value);
+    }
 }
 
 void ParameterLinker::linkParameters(Index node) {
@@ -28,7 +31,8 @@ void ParameterLinker::linkParameters(Index node) {
     linked.parameters.first = static_cast<Index>(graph_.parameters.size());
     linked.parameters.count = static_cast<Index>(linked.type->parameters.size());
     for (const ParameterDeclaration& declaration : linked.type->parameters) {
-        graph_.parameters.push_back({noIndex, declaration.defaultValue, declaration.where});
+        graph_.parameters.push_back({noIndex, declaration.where});
+        graph_.values.nodes.push_back(declaration.defaultValue);
     }
     for (const ParameterSetting& setting : graph_.description.nodes[node].settings)
         applySetting(setting, node);
@@ -46,13 +50,15 @@ void ParameterLinker::applySetting(const ParameterSetting& setting, Index node) 
                         inQuotes(setting.parameter), suggestionAmong(setting.parameter, declarations)));
         return;
     }
-    LinkedParameter& linked = graph_.parameters[linkedNode.parameters.first +
-                                                static_cast<std::size_t>(declaration - declarations.data())];
+    const std::size_t index =
+        linkedNode.parameters.first + static_cast<std::size_t>(declaration - declarations.data());
+    LinkedParameter& linked = graph_.parameters[index];
     linked.where = setting.where;
     if (value == nullptr) {
         useGraphParameter(std::get<std::string>(setting.value), *declaration, linked);
+        graph_.values.nodes[index] = {};
     } else if (auto read = readParameterValue(*value, *declaration, diagnostics_)) {
-        linked.value = std::move(*read);
+        graph_.values.nodes[index] = std::move(*read);
     }
 }
 
@@ -69,7 +75,6 @@ void ParameterLinker::useGraphParameter(const std::string& name, const Parameter
         diagnostics_.error(linked.where, fmt::format("{} in the graph parameter {}", *fault, inQuotes(name)));
     }
     linked.graphParameter = graphParameters_.at(name);
-    linked.value = parameter->value;
 }
 
 const GraphParameter* ParameterLinker::findGraphParameter(std::string_view name,

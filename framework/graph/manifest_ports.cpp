@@ -94,7 +94,7 @@ void readBufferCount(json::ObjectReader& object, OutputPort& port) {
     Diagnostics& diagnostics = object.diagnostics();
     const auto value = object.optional("count");
     const bool isBuffer = object.value().find("buffer").has_value();
-    if (isBuffer && !value)
+    if (isBuffer && !value && port.modifies.empty())
         diagnostics.error(port.where, fmt::format("the buffer {} needs \"count\"", inQuotes(port.name)));
     if (!value) return;
     if (!isBuffer) {
@@ -105,6 +105,23 @@ void readBufferCount(json::ObjectReader& object, OutputPort& port) {
     if (count) port.bufferCount = std::move(*count);
 }
 
+/// What is modified keeps its size.
+void readModifies(json::ObjectReader& object, OutputPort& port) {
+    Diagnostics& diagnostics = object.diagnostics();
+    const auto value = object.optional("modifies");
+    if (!value) return;
+    port.modifies = value->string(diagnostics, "an input's name").value_or("");
+    port.whereModifies = value->where();
+    if (value->isString() && port.modifies.empty())
+        diagnostics.error(value->where(), "expected an input's name, found \"\"");
+    for (const std::string_view key : {"size", "mips", "layers", "count"}) {
+        const auto other = object.value().find(key);
+        if (!other) continue;
+        diagnostics.error(other->whereKey(),
+                          fmt::format("an output that modifies an input has that input's {}", key));
+    }
+}
+
 OutputPort readOutput(const std::string& name, const json::Value& value, Diagnostics& diagnostics) {
     OutputPort port;
     port.name = name;
@@ -112,6 +129,7 @@ OutputPort readOutput(const std::string& name, const json::Value& value, Diagnos
     json::ObjectReader object(value, "an output", keys::output(), diagnostics);
     readDoc(object, port.doc);
     readNeutral(object, port.neutral);
+    readModifies(object, port);
     readImage(object, port);
     port.bufferElement = readBufferElement(object);
     readBufferCount(object, port);

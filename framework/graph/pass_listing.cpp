@@ -43,6 +43,7 @@ std::string inputText(const InputPort& port) {
 }
 
 std::string outputText(const OutputPort& port) {
+    if (!port.modifies.empty()) return fmt::format(", modifies {}", port.modifies);
     if (!port.bufferElement.empty()) {
         return fmt::format(", buffer of {} {}", port.bufferCount.text(), port.bufferElement);
     }
@@ -112,6 +113,10 @@ Json::Value outputAsJson(const OutputPort& port) {
     json["name"] = port.name;
     json["doc"] = port.doc;
     json["neutral"] = numbersAsJson(port.neutral);
+    if (!port.modifies.empty()) {
+        json["modifies"] = port.modifies;
+        return json;
+    }
     if (!port.bufferElement.empty()) {
         json["buffer"] = port.bufferElement;
         json["count"] = expressionAsJson(port.bufferCount);
@@ -158,6 +163,9 @@ Json::Value passAsJson(const PassType& type) {
     json["outputs"] = arrayAsJson(type.outputs, outputAsJson);
     json["parameters"] = arrayAsJson(type.parameters, parameterAsJson);
     json["skipWhen"] = type.skipWhen ? expressionAsJson(*type.skipWhen) : Json::Value();
+    json["forEach"] =
+        type.forEach == ForEach::Nothing ? Json::Value() : Json::Value(std::string(name(type.forEach)));
+    json["domain"] = type.domain.empty() ? Json::Value() : Json::Value(type.domain);
     json["sideEffect"] = type.sideEffect;
     return json;
 }
@@ -197,6 +205,10 @@ std::string describePass(const PassType& type) {
     std::string text = fmt::format("{} ({})\n", type.name, name(type.kind));
     if (!type.doc.empty()) text += fmt::format("  {}\n", type.doc);
     if (!type.shader.empty()) text += fmt::format("  shader {}\n", type.shader.string());
+    if (type.forEach == ForEach::Lights) text += "  runs for each light's views\n";
+    if (type.forEach == ForEach::Mips) text += "  runs for each of its outputs' mips\n";
+    if (!type.domain.empty())
+        text += fmt::format("  neutral where the last channel of {} is 0\n", type.domain);
     if (type.skipWhen) text += fmt::format("  skipped when {}\n", type.skipWhen->text());
     text += section("inputs", type.inputs, inputText);
     text += section("outputs", type.outputs, outputText);

@@ -7,6 +7,7 @@
 
 #include "graph/keys.h"
 #include "graph/manifest_ports.h"
+#include "graph/manifest_roles.h"
 #include "graph/value_readers.h"
 
 namespace nephrite::graph {
@@ -36,6 +37,7 @@ class ManifestReader {
         readPortsAndParameters();
         if (const auto value = object_.optional("skipWhen"))
             type_.skipWhen = readExpression(*value, diagnostics_);
+        readRoles();
         object_.finish();
         checkPorts();
         checkExpressions();
@@ -94,8 +96,21 @@ class ManifestReader {
         if (const auto value = object_.optional("outputs")) type_.outputs = readOutputs(*value, diagnostics_);
     }
 
+    void readRoles() {
+        if (const auto value = object_.optional("forEach"))
+            type_.forEach = readForEach(*value, diagnostics_).value_or(ForEach::Nothing);
+        const auto domain = object_.optional("domain");
+        if (domain) type_.domain = domain->string(diagnostics_, "an input's name").value_or("");
+        if (domain && domain->isString() && kindKnown_) resolveDomain(type_, *domain, diagnostics_);
+        resolveModifies(type_, object_.value(), diagnostics_);
+        if (type_.forEach != ForEach::Mips) return;
+        if (const auto fault = whyNotForEachMip(type_)) diagnostics_.error(fault->where, fault->message);
+    }
+
     void checkPorts() {
-        if (kindKnown_ && type_.kind != PassKind::Native && type_.outputs.empty()) {
+        const bool mayWriteNothing =
+            type_.kind == PassKind::Native || (type_.kind == PassKind::Compute && type_.sideEffect);
+        if (kindKnown_ && !mayWriteNothing && type_.outputs.empty()) {
             diagnostics_.error(type_.where,
                                fmt::format("a {} pass needs an output", graph::name(type_.kind)));
         }

@@ -16,6 +16,9 @@
 
 namespace nephrite::graph {
 
+using Index = std::uint32_t;
+inline constexpr Index noIndex = ~Index{0};
+
 enum class PassKind : std::uint8_t { Pixel, Compute, Raster, Native };
 std::string_view name(PassKind kind);
 
@@ -75,8 +78,21 @@ struct OutputPort {
     Expression layers = Expression::constant(1);  ///< an iteration (forEach) has this many layers of its own
     std::string bufferElement;                    ///< GLSL element type when the port is a buffer, else empty
     Expression bufferCount = Expression::constant(0);
+    std::string
+        modifies;  ///< an input's name: the output is that input's image or buffer, written again in place
+    Index modifiedInput = noIndex;  ///< its index in PassType::inputs
     SourceLocation where;
+    SourceLocation whereModifies{};  ///< of the "modifies" value
 };
+
+/// What a node is repeated over.
+enum class ForEach : std::uint8_t {
+    Nothing,  ///< it runs once
+    Lights,   ///< once a light view; each writes array layers of its own
+    Mips,     ///< once a level of its first output; iteration i writes level i of every output and may load
+              ///< level i - 1
+};
+std::string_view name(ForEach forEach);  ///< "lights", "mips" as in a manifest; "" of Nothing
 
 /// How a raster pass draws the scene (manifest key "raster"): which surface along a ray is kept, and which
 /// side is culled.
@@ -99,7 +115,11 @@ struct PassType {
     std::vector<ParameterDeclaration> parameters;
     std::optional<Expression> skipWhen;
     RasterState raster;
-    bool sideEffect = false;  ///< keeps itself alive although nothing reads it
+    ForEach forEach = ForEach::Nothing;  ///< unless its node says otherwise
+    std::string domain;  ///< an input's name: where its last channel is 0 every output is neutral and nothing
+                         ///< is computed
+    Index domainInput = noIndex;  ///< its index in `inputs`
+    bool sideEffect = false;      ///< keeps itself alive although nothing reads it
     SourceLocation where;
 };
 

@@ -40,10 +40,12 @@ Json::Value commonDefinitions() {
 
 std::string graphSchema() {
     Json::Value definitions = commonDefinitions();
+    // What stands inside the parentheses is for the reader: a pattern cannot count them.
     definitions["port"] = json::schemaFragment(
-        R"({"type": "string", "pattern": "^[A-Za-z_][A-Za-z0-9_-]*\\.[A-Za-z_][A-Za-z0-9_]*$"})");
+        R"({"type": "string", "pattern": "^([A-Za-z_][A-Za-z0-9_-]*\\.[A-Za-z_][A-Za-z0-9_]*|(previous|mip|layer|import)\\(.*\\))$"})");
     definitions["parameter"] =
         json::objectSchema(keys::graphParameter(), "a value nodes and expressions may use");
+    definitions["import"] = json::objectSchema(keys::graphImport(), "an image from outside the graph");
     definitions["node"] = json::objectSchema(keys::node(), "one pass of the graph");
     return json::schemaDocument(
         json::objectSchema(keys::graph(), "passes, how they are connected, and what comes out"),

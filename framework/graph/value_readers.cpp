@@ -20,6 +20,9 @@ constexpr std::array<std::string_view, 34> glslKeywords{
     "case",   "default", "break", "const",   "return",    "continue", "in",     "out",  "inout",
     "struct", "true",    "false", "discard", "sampler2D", "image2D",  "uniform"};
 
+/// Of ForEach, but Nothing.
+constexpr std::array<std::string_view, 2> forEachNames{"lights", "mips"};
+
 SourceLocation insideString(const json::Value& value) {
     SourceLocation where = value.where();
     ++where.column;
@@ -194,6 +197,17 @@ std::optional<std::size_t> readChoice(const json::Value& value, std::span<const 
     diagnostics.error(value.where(), fmt::format("expected {}, found {}{}", expected, inQuotes(*text),
                                                  suggestion(*text, choices)));
     return std::nullopt;
+}
+
+std::string_view name(ForEach forEach) {
+    return forEach == ForEach::Nothing ? std::string_view()
+                                       : forEachNames[static_cast<std::size_t>(forEach) - 1];
+}
+
+std::optional<ForEach> readForEach(const json::Value& value, Diagnostics& diagnostics) {
+    const auto choice = readChoice(value, forEachNames, diagnostics);
+    if (!choice) return std::nullopt;
+    return static_cast<ForEach>(*choice + 1);
 }
 
 std::optional<std::array<double, 2>> readRange(const json::Value& value, Diagnostics& diagnostics) {

@@ -29,6 +29,8 @@ std::optional<Format> readFormat(const json::Value& value, Diagnostics& diagnost
 /// The index of a string among `choices`.
 std::optional<std::size_t> readChoice(const json::Value& value, std::span<const std::string_view> choices,
                                       Diagnostics& diagnostics);
+/// "lights" or "mips".
+std::optional<ForEach> readForEach(const json::Value& value, Diagnostics& diagnostics);
 /// [least, greatest].
 std::optional<std::array<double, 2>> readRange(const json::Value& value, Diagnostics& diagnostics);
 

@@ -1,5 +1,5 @@
-// Any bytes as a graph file, as a pass manifest and as an expression: read and linked, or refused with an
-// InputError.
+// Any bytes as a graph file, as a pass manifest, as an expression and as a reference to a port: read and
+// linked, or refused with an InputError.
 #include <cstdint>
 #include <cstdlib>
 
@@ -27,6 +27,8 @@ void readAsGraph(const json::Value& value) {
     static const graph::PassLibrary library = graph::tests::smallLibrary();
     const auto linked = graph::link(graph::readGraph(value), library);
     if (linked->declarationOrder.size() != linked->nodes.size()) std::abort();
+    if (linked->description.nodes.size() != linked->nodes.size()) std::abort();
+    if (linked->modifies.size() != linked->formats.size()) std::abort();
 }
 
 void readAsPass(const json::Value& value) {
@@ -43,11 +45,22 @@ void readAsExpression(const std::string& text) {
     if (expression) expression->evaluate([](const graph::ExpressionName&) { return 2.0; });
 }
 
+/// What is read must read the same again from the text it has of itself.
+void readAsReference(const std::string& text) {
+    Diagnostics diagnostics;
+    const auto reference = graph::readPortReference(text, {"fuzzed", 1, 1}, diagnostics);
+    if (reference.has_value() == diagnostics.hasErrors()) std::abort();
+    if (!reference) return;
+    const auto again = graph::readPortReference(graph::toText(*reference), {"fuzzed", 1, 1}, diagnostics);
+    if (!again || graph::toText(*again) != graph::toText(*reference)) std::abort();
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string text(reinterpret_cast<const char*>(data), size);
     readAsExpression(text);
+    readAsReference(text);
     refusing([&] {
         const json::Value value = json::parse(text, "fuzzed");
         refusing([&] { readAsGraph(value); });

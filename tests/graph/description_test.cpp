@@ -48,7 +48,8 @@ TEST(Description, NodesAreReadInTheFilesOrder) {
     EXPECT_EQ(graph.nodes[0].name, "light");
     EXPECT_EQ(graph.nodes[0].passType, "gbuffer");
     EXPECT_EQ(graph.nodes[0].view, ViewKind::Light);
-    EXPECT_TRUE(graph.nodes[0].forEachLight);
+    EXPECT_EQ(graph.nodes[0].forEach, ForEach::Lights);
+    EXPECT_FALSE(graph.nodes[1].forEach.has_value());
     EXPECT_EQ(graph.nodes[0].size->width.text(), "$lightSize");
     EXPECT_EQ(graph.nodes[0].size->height.text(), "graph.lightSize / 2");
     EXPECT_EQ(graph.nodes[0].size->height.where().column, 97U);
@@ -76,6 +77,36 @@ TEST(Description, ConnectionsSettingsAndFormatsAreRead) {
     EXPECT_EQ(dipole.size->like, "light.depth");
 }
 
+TEST(Description, ImportsAndReferencesToThemAreRead) {
+    const GraphDescription graph = read(R"-({"imports": {
+        "table": {"image": "tables/lut.exr", "format": "rg16f", "doc": "scale and bias"}, "last-frame": {}},
+        "nodes": {"a": {"pass": "p", "forEach": "mips", "in": {"x": "import(table)", "y": "previous(mip(a.c, 2), 3)"}}},
+        "outputs": {"c": "layer(a.c, 1)"}})-");
+    ASSERT_EQ(graph.imports.size(), 2U);
+    EXPECT_EQ(graph.imports[0].name, "table");
+    EXPECT_EQ(graph.imports[0].image, "tables/lut.exr");
+    EXPECT_EQ(graph.imports[0].format, Format::rg16f);
+    EXPECT_EQ(graph.imports[0].doc, "scale and bias");
+    EXPECT_EQ(graph.imports[0].where, (SourceLocation{"g.json", 2, 9}));
+    EXPECT_TRUE(graph.imports[1].image.empty());
+    EXPECT_EQ(graph.imports[1].format, Format::rgba32f);
+    EXPECT_EQ(graph.nodes[0].forEach, ForEach::Mips);
+    EXPECT_EQ(graph.nodes[0].inputs[0].second.node, "import(table)");
+    EXPECT_EQ(graph.nodes[0].inputs[1].second.framesBack, 3U);
+    EXPECT_EQ(graph.nodes[0].inputs[1].second.mip, 2U);
+    EXPECT_EQ(graph.outputs[0].second.layer, 1U);
+}
+
+TEST(Description, ImportedImagesLieBesideTheGraph) {
+    const auto imageOf = [](const std::string& file) {
+        const std::string text = R"({"imports": {"i": {"image": ")" + file +
+                                 R"("}}, "nodes": {"a": {"pass": "p"}}, "outputs": {"c": "a.c"}})";
+        return readGraph(json::parse(text, "folder/g.json")).imports[0].image;
+    };
+    EXPECT_EQ(imageOf("a/b.exr"), "folder/a/b.exr");
+    EXPECT_EQ(imageOf("/a/b.exr"), "/a/b.exr");
+}
+
 TEST(Description, NameDefaultsToTheFiles) {
     EXPECT_EQ(read(R"({"nodes": {"a": {"pass": "p"}}, "outputs": {"c": "a.c"}})").name, "g");
 }
@@ -94,6 +125,9 @@ TEST_P(GraphFault, IsNamedAtItsPlace) {
 
 std::string node(const std::string& keys) {
     return "{\"nodes\": {\n  \"a\": {\"pass\": \"p\", " + keys + "}},\n \"outputs\": {\"c\": \"a.c\"}}";
+}
+std::string withImport(const std::string& keys) {
+    return R"({"imports": {"i": )" + keys + R"(}, "nodes": {"a": {"pass": "p"}}, "outputs": {"c": "a.c"}})";
 }
 std::string graphParameter(const std::string& value) {
     return R"({"parameters": {"x": )" + value +
@@ -128,15 +162,13 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"UnknownView", node(R"("view": @"ligth")"),
               "expected \"camera\" or \"light\", found \"ligth\", did you mean \"light\"?"},
         Fault{"UnknownForEach", node(R"("forEach": @"light")"),
-              "expected \"lights\", found \"light\", did you mean \"lights\"?"},
-        Fault{"LightViewOnce", node(R"("view": @"light")"),
-              "a node with the view \"light\" needs \"forEach\": \"lights\""},
+              "expected \"lights\" or \"mips\", found \"light\", did you mean \"lights\"?"},
         Fault{"InputNoString", node(R"("in": {"x": @3})"), "expected a \"node.port\", found the number 3"},
         Fault{"InputWithoutPort", node(R"("in": {"x": @"b"})"), "expected a \"node.port\", found \"b\""},
         Fault{"InputThreeParts", node(R"("in": {"x": @"b.c.d"})"),
               "expected a \"node.port\", found \"b.c.d\""},
-        Fault{"InputPrevious", node(R"-("in": {"x": @"previous(b.c)"})-"),
-              "expected a \"node.port\", found \"previous(b.c)\""},
+        Fault{"InputPrevious", node(R"-("in": {"x": "previous(@b)"})-"),
+              "expected a \"node.port\", found \"b\""},
         Fault{"InputsArray", node(R"("in": @["b.c"])"), "expected an object of inputs, found an array of 1"},
         Fault{"SetNumber", node(R"("set": @1)"), "expected an object of parameters, found the number 1"},
         Fault{"UnknownFormat", node(R"("format": {"c": @"rgba33f"})"),
@@ -148,6 +180,10 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"NegativeScale", node(R"("size": {"scale": @-0.5})"),
               "a scale of the view is above 0 and at most 1000, found -0.5"},
         Fault{"LikeWithoutPort", node(R"("size": {"like": @"b"})"), "expected a \"node.port\", found \"b\""},
+        Fault{"LikePrevious", node(R"-("size": {"like": @"previous(b.c)"})-"),
+              "a size is like that of a whole port of this frame, found \"previous(b.c)\""},
+        Fault{"LikeMip", node(R"-("size": {"like": @"mip(b.c, 1)"})-"),
+              "a size is like that of a whole port of this frame, found \"mip(b.c, 1)\""},
         Fault{"UnknownSizeKey", node(R"("size": {"scale": 1, @"likes": 2})"),
               "unknown key \"likes\" in a size, did you mean \"like\"?"},
         Fault{"WhenColumn", node(R"("when": "1 +@")"),
@@ -167,6 +203,25 @@ INSTANTIATE_TEST_SUITE_P(
               "expected a boolean, a number or an array of numbers, found an empty array"},
         Fault{"ParameterOutOfRange", graphParameter(R"({"value": @[1, 9], "range": [0, 4]})"),
               "x is out of range, expected 0 to 4, found 9"}),
+    [](const auto& test) { return test.param.name; });
+
+INSTANTIATE_TEST_SUITE_P(
+    Imports, GraphFault,
+    testing::Values(
+        Fault{"Array", R"({"imports": @[], "nodes": {"a": {"pass": "p"}}, "outputs": {"c": "a.c"}})",
+              "expected an object of imports, found an empty array"},
+        Fault{"Name", R"({"imports": {@"a.b": {}}, "nodes": {"a": {"pass": "p"}}, "outputs": {"c": "a.c"}})",
+              "an import cannot be called \"a.b\": expected letters, digits, - and _, no digit first"},
+        Fault{"NoObject", withImport("@3"), "expected an import (an object), found the number 3"},
+        Fault{"UnknownKey", withImport(R"({@"imgae": "x.exr"})"),
+              "unknown key \"imgae\" in an import, did you mean \"image\"?"},
+        Fault{"NoFile", withImport(R"({"image": @""})"), "expected an image's file name, found \"\""},
+        Fault{"FileNoString", withImport(R"({"image": @1})"),
+              "expected an image's file name, found the number 1"},
+        Fault{"UnknownFormat", withImport(R"({"format": @"rgba33f"})"),
+              "unknown pixel format \"rgba33f\", did you mean \"rgba32f\"?"},
+        Fault{"Depth", withImport(R"({"format": @"d32f"})"),
+              "an import cannot be d32f, which raster passes alone write"}),
     [](const auto& test) { return test.param.name; });
 
 TEST(Description, EveryFaultIsNamedAtOnce) {

@@ -23,6 +23,7 @@ Index GraphBuilder::addNode(const PassType& type, const std::vector<LinkedInput>
 
     LinkedNode node;
     node.type = &type;
+    node.forEach = graph.description.nodes.back().forEach.value_or(type.forEach);
     node.inputs = {static_cast<Index>(graph.inputs.size()), static_cast<Index>(sources.size())};
     graph.inputs.insert(graph.inputs.end(), sources.begin(), sources.end());
     node.parameters = {static_cast<Index>(graph.parameters.size()), 0};
@@ -35,10 +36,11 @@ Index GraphBuilder::addNode(const PassType& type, const std::vector<LinkedInput>
 
 void GraphBuilder::addOutput(Index node, Index port) {
     contents_->graph.outputs.push_back(
-        {fmt::format("output{}", contents_->graph.outputs.size()), node, port, {}});
+        {fmt::format("output{}", contents_->graph.outputs.size()), node, port, {}, 0, every, every});
 }
 
 std::shared_ptr<const LinkedGraph> GraphBuilder::build() const {
+    indexGraph(contents_->graph);
     return {contents_, &contents_->graph};
 }
 

@@ -23,7 +23,7 @@ class GraphBuilder {
                   NodeDescription description = {});
     void addOutput(Index node, Index port);
 
-    /// The graph, which keeps its pass types alive.
+    /// The graph, indexed, which keeps its pass types alive.
     std::shared_ptr<const LinkedGraph> build() const;
 
   private:

@@ -46,10 +46,12 @@ TEST(Link, ParametersTakeValuesDefaultsAndGraphParameters) {
     ASSERT_EQ(parameters.size(), 5U);
     EXPECT_EQ(parameters[0].graphParameter, 1U);
     EXPECT_EQ(parameters[1].graphParameter, noIndex);
-    EXPECT_THAT(parameters[1].value.components, ElementsAre(-3));
+    EXPECT_THAT(graph->valueOf(1, 1, graph->values).components, ElementsAre(-3));
     EXPECT_EQ(parameters[2].graphParameter, 0U);
-    EXPECT_THAT(parameters[3].value.components, ElementsAre(1, 1, 1));
-    EXPECT_THAT(parameters[4].value.components, ElementsAre(1));
+    EXPECT_THAT(graph->valueOf(1, 0, graph->values).components, ElementsAre(5));
+    EXPECT_THAT(graph->valueOf(1, 2, graph->values).components, ElementsAre(7, 8, 9));
+    EXPECT_THAT(graph->valueOf(1, 3, graph->values).components, ElementsAre(1, 1, 1));
+    EXPECT_THAT(graph->valueOf(1, 4, graph->values).components, ElementsAre(1));
 }
 
 TEST(Link, SizeLikeAnotherNodeIsADependency) {

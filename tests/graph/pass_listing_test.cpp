@@ -52,6 +52,33 @@ TEST(PassListing, JsonSaysWhatTheManifestSays) {
     EXPECT_TRUE(parameters.at(2).find("default")->raw().asBool());
 }
 
+TEST(PassListing, TextSaysWhatAPassIsRepeatedOverAndModifies) {
+    const PassType drawing = tests::passFrom(R"({"kind": "raster", "shader": "s", "forEach": "lights",
+        "inputs": {"under": {}}, "outputs": {"over": {"modifies": "under"}}})",
+                                             "drawing");
+    EXPECT_EQ(describePass(drawing),
+              "drawing (raster)\n"
+              "  shader s\n"
+              "  runs for each light's views\n"
+              "  inputs\n"
+              "    under\n"
+              "  outputs\n"
+              "    over, modifies under\n");
+    const PassType reduce = tests::passFrom(
+        R"({"kind": "compute", "shader": "s", "forEach": "mips", "outputs": {"all": {"mips": 0}}})",
+        "reduce");
+    EXPECT_THAT(describePass(reduce), testing::HasSubstr("\n  runs for each of its outputs' mips\n"));
+    const PassType shade = tests::passFrom(
+        R"({"kind": "pixel", "shader": "s", "domain": "hit", "inputs": {"hit": {}}, "outputs": {"c": {}}})",
+        "shade");
+    EXPECT_THAT(describePass(shade), testing::HasSubstr("\n  neutral where the last channel of hit is 0\n"));
+    EXPECT_EQ(json::parse(describePassAsJson(shade), "j").find("domain")->raw().asString(), "hit");
+    const json::Value json = json::parse(describePassAsJson(drawing), "j");
+    EXPECT_EQ(json.find("forEach")->raw().asString(), "lights");
+    EXPECT_EQ(json.find("outputs")->at(0).find("modifies")->raw().asString(), "under");
+    EXPECT_TRUE(json.find("domain")->isNull());
+}
+
 TEST(PassListing, LibraryIsListedByName) {
     PassLibrary library;
     library.add(blur());

@@ -32,7 +32,7 @@ TEST(Schema, GraphNamesEveryKeyOfTheFormat) {
     EXPECT_EQ(schema.find("$schema")->raw().asString(), "http://json-schema.org/draft-04/schema#");
     EXPECT_EQ(schema.find("type")->raw().asString(), "object");
     EXPECT_THAT(keysOf(*schema.find("properties")),
-                UnorderedElementsAre("name", "doc", "parameters", "nodes", "outputs"));
+                UnorderedElementsAre("name", "doc", "parameters", "imports", "nodes", "outputs"));
     EXPECT_THAT(definitionKeys(schema, "node"), UnorderedElementsAre("pass", "view", "forEach", "in", "set",
                                                                      "size", "format", "when", "doc"));
     EXPECT_THAT(definitionKeys(schema, "parameter"), UnorderedElementsAre("value", "range", "doc"));
@@ -42,11 +42,14 @@ TEST(Schema, PassNamesEveryKeyOfTheFormat) {
     const json::Value schema = json::parse(passSchema(), "schema");
     EXPECT_THAT(keysOf(*schema.find("properties")),
                 UnorderedElementsAre("kind", "shader", "doc", "inputs", "outputs", "parameters", "skipWhen",
-                                     "sideEffect", "raster"));
+                                     "sideEffect", "raster", "forEach", "domain"));
     EXPECT_THAT(definitionKeys(schema, "input"),
                 UnorderedElementsAre("doc", "optional", "neutral", "neededWhen", "format", "buffer"));
-    EXPECT_THAT(definitionKeys(schema, "output"), UnorderedElementsAre("doc", "format", "size", "neutral",
-                                                                       "mips", "layers", "buffer", "count"));
+    EXPECT_THAT(definitionKeys(schema, "output"),
+                UnorderedElementsAre("doc", "format", "size", "neutral", "mips", "layers", "buffer", "count",
+                                     "modifies"));
+    const json::Value graph = json::parse(graphSchema(), "schema");
+    EXPECT_THAT(definitionKeys(graph, "import"), UnorderedElementsAre("image", "format", "doc"));
     EXPECT_THAT(definitionKeys(schema, "parameter"),
                 UnorderedElementsAre("type", "default", "range", "specialize", "doc"));
     EXPECT_THAT(definitionKeys(schema, "raster"), UnorderedElementsAre("keep", "cull"));
@@ -87,8 +90,9 @@ TEST(Schema, RequiredKeysAreThoseTheReaderMisses) {
 }
 
 TEST(Schema, EveryKeyIsDocumented) {
-    for (const auto keys : {keys::graph(), keys::graphParameter(), keys::node(), keys::manifest(),
-                            keys::input(), keys::output(), keys::parameter(), keys::raster()}) {
+    for (const auto keys :
+         {keys::graph(), keys::graphParameter(), keys::graphImport(), keys::node(), keys::manifest(),
+          keys::input(), keys::output(), keys::parameter(), keys::raster()}) {
         for (const json::Key& key : keys) {
             EXPECT_FALSE(key.doc.empty()) << key.name;
             EXPECT_TRUE(json::parse(std::string(key.schema), "schema").isObject()) << key.name;

@@ -23,7 +23,7 @@ GraphDescription graph() {
 std::vector<double> linkedValue(const GraphDescription& description, std::size_t parameter) {
     const PassLibrary library = tests::smallLibrary();
     const auto linked = link(description, library);
-    return linked->parameters[linked->nodes[1].parameters.first + parameter].value.components;
+    return linked->valueOf(1, static_cast<Index>(parameter), linked->values).components;
 }
 
 TEST(Settings, NodeParameterIsReplacedOrAdded) {

@@ -10,6 +10,32 @@ PassType passFrom(std::string_view manifest, std::string name) {
     return type;
 }
 
+namespace {
+
+void addRepeatedAndModifying(PassLibrary& library) {
+    library.add(passFrom(R"({"kind": "pixel", "shader": "s.glsl",
+                             "inputs": {"now": {}, "history": {"optional": true}},
+                             "outputs": {"color": {"size": {"like": "now"}}}})",
+                         "accumulate"));
+    library.add(passFrom(R"({"kind": "compute", "shader": "s.glsl", "forEach": "mips",
+                             "inputs": {"image": {}}, "outputs": {"pyramid": {"mips": 0}}})",
+                         "reduce"));
+    library.add(passFrom(R"({"kind": "raster", "shader": "s.glsl",
+                             "inputs": {"under": {}, "mask": {"optional": true}},
+                             "outputs": {"over": {"modifies": "under"}}})",
+                         "draw"));
+    library.add(passFrom(R"({"kind": "compute", "shader": "s.glsl",
+                             "inputs": {"list": {"buffer": "vec4"}, "image": {"format": "r32u", "optional": true}},
+                             "outputs": {"longer": {"modifies": "list"}}})",
+                         "append"));
+    library.add(passFrom(R"({"kind": "pixel", "shader": "s.glsl", "domain": "surface",
+                             "inputs": {"surface": {"optional": true}, "light": {"optional": true}},
+                             "outputs": {"color": {}}})",
+                         "shade"));
+}
+
+}  // namespace
+
 PassLibrary smallLibrary() {
     PassLibrary library;
     library.add(passFrom(R"({"kind": "pixel", "shader": "s.glsl", "outputs": {"color": {}},
@@ -36,6 +62,7 @@ PassLibrary smallLibrary() {
     library.add(passFrom(R"({"kind": "raster", "shader": "s.glsl",
                              "outputs": {"color": {}, "depth": {"format": "d32f"}}})",
                          "depth"));
+    addRepeatedAndModifying(library);
     return library;
 }
 

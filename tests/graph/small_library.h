@@ -13,7 +13,10 @@ namespace nephrite::graph::tests {
 PassType passFrom(std::string_view manifest, std::string name = "p");
 
 /// source: no inputs -> color; blend: a, b? -> color; counters: -> count (r32u), samples (buffer of vec4);
-/// readers: count (r32u)?, samples (buffer)? -> color; depth: raster -> color, depth (d32f).
+/// readers: count (r32u)?, samples (buffer)? -> color; depth: raster -> color, depth (d32f);
+/// accumulate: now, history? -> color; reduce: once a mip, image -> pyramid; draw: raster, under, mask? ->
+/// over, which modifies under; append: list (buffer of vec4), image (r32u)? -> longer, which modifies list;
+/// shade: surface?, its domain, light? -> color.
 PassLibrary smallLibrary();
 
 /// A graph read from text called "g.json" and linked against smallLibrary().
