@@ -9,14 +9,17 @@ Plan compile(const CompileRequest& request) {
     Compilation work(request);
     findRequested(work);
     decideSkips(work);
-    cullUnneeded(work);
-    orderPasses(work);
     resolveExtents(work);
-    resolvePorts(work);
+    cullUnneeded(work);
+    makeResources(work);
     work.faults.throwIfErrors();
+    orderPasses(work);
+    connectPasses(work);
     findLifetimes(work);
-    measureMemory(work);
-    placeBarriers(work);
+    decideKept(work);
+    placeInMemory(work);
+    work.plan.schedule = scheduleBarriers(work.plan, {});
+    countSkips(work);
     return std::move(work.plan);
 }
 

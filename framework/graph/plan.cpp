@@ -1,5 +1,7 @@
 #include "graph/plan.h"
 
+#include <fmt/format.h>
+
 namespace nephrite::graph {
 
 Layout layoutOf(Use use, InputReads reads, Format format) {
@@ -12,7 +14,11 @@ Layout layoutOf(Use use, InputReads reads, Format format) {
             return reads == InputReads::StorageImage && !info(format).isDepth ? Layout::General
                                                                               : Layout::ShaderRead;
         case Use::ComputeWrite:
+        case Use::ComputeModify:
+        case Use::ComputeLevelRead:
             return Layout::General;
+        case Use::Indirect:
+            return Layout::Undefined;
         case Use::ColorAttachment:
             return Layout::ColorAttachment;
         case Use::DepthAttachment:
@@ -27,7 +33,41 @@ Layout layoutOf(Use use, InputReads reads, Format format) {
 
 bool writes(Use use) {
     return use == Use::ComputeWrite || use == Use::ColorAttachment || use == Use::DepthAttachment ||
-           use == Use::Clear;
+           use == Use::Clear || use == Use::ComputeModify;
+}
+
+std::string Plan::nameOf(const Resource& resource) const {
+    const std::string port = graph->portName(resource.node, resource.port);
+    switch (resource.framesBack) {
+        case 0:
+            return port;
+        case 1:
+            return fmt::format("previous({})", port);
+        default:
+            return fmt::format("previous({}, {})", port, resource.framesBack);
+    }
+}
+
+std::array<double, 4> neutralOf(const Plan& plan, const PlannedPass& pass, Index port) {
+    const LinkedGraph& graph = *plan.graph;
+    const LinkedInput& input = graph.inputs[graph.nodes[pass.node].inputs.first + port];
+    const bool sourceIsOff = input.sourceNode != noIndex &&
+                             plan.nodes[input.sourceNode].state == NodeState::Skipped &&
+                             plan.nodes[input.sourceNode].reason != Reason::NoReaderNeedsIt;
+    if (sourceIsOff) return graph.nodes[input.sourceNode].type->outputs[input.sourcePort].neutral;
+    return plan.typeOf(pass).inputs[port].neutral;
+}
+
+bool isCleared(const Plan& plan, const PlannedPass& pass, Index port) {
+    if (pass.iterations == 0) return true;
+    if (!pass.clearsFirst) return false;
+    const Index modified = plan.typeOf(pass).outputs[port].modifiedInput;
+    if (modified != noIndex) return !plan.inputs[pass.inputs.first + modified].modified;
+    return pass.tileList != noIndex || plan.graph->nodes[pass.node].role == NodeRole::TileList;
+}
+
+std::string_view name(Policy policy) {
+    return policy == Policy::Barriers ? "barriers" : "memory";
 }
 
 std::string_view name(NodeState state) {
@@ -60,6 +100,12 @@ std::string_view name(Use use) {
             return "clear";
         case Use::Copy:
             return "copy";
+        case Use::Indirect:
+            return "indirect dispatch";
+        case Use::ComputeModify:
+            return "compute modify";
+        case Use::ComputeLevelRead:
+            return "compute level read";
     }
     return "";
 }

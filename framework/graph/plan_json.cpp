@@ -23,14 +23,25 @@ void writePass(const Plan& plan, Index node, Output out) {
                    jsonString(name(plan.nodes[node].state)), jsonString(whyOf(plan, node)));
 }
 
-/// Each resource has memory of its own, so none has a place in a common heap.
+/// An index or a byte, null where there is none.
+std::string orNull(std::uint64_t value, bool exists) {
+    return exists ? std::to_string(value) : "null";
+}
+
 void writeResource(const Plan& plan, const Resource& resource, Output out) {
     fmt::format_to(out,
                    R"(    {{"name": {}, "format": {}, "width": {}, "height": {}, "mips": {}, "layers": {}, )",
                    jsonString(plan.nameOf(resource)), jsonString(formatName(plan, resource)),
                    resource.extent.width, resource.extent.height, resource.mips, resource.layers);
-    fmt::format_to(out, R"("bytes": {}, "offset": null, "first": {}, "last": {}}})", resource.bytes,
-                   resource.first, resource.last);
+    const bool isUsed = resource.first != noIndex;
+    fmt::format_to(out, R"("bytes": {}, "offset": {}, "first": {}, "last": {}}})", resource.bytes,
+                   orNull(resource.offset, resource.offset != Resource::noOffset),
+                   orNull(resource.first, isUsed), orNull(resource.last, isUsed));
+}
+
+void writePolicy(const PolicyFigures& figures, Output out) {
+    fmt::format_to(out, R"(    {{"policy": "{}", "barrierBatches": {}, "heapBytes": {}}})",
+                   name(figures.policy), figures.barrierBatches, figures.heapBytes);
 }
 
 /// `[`, one line an element, `]`.
@@ -56,9 +67,19 @@ std::string planAsJson(const Plan& plan) {
     writeArray(text, plan.resources,
                [&](const Resource& resource) { writeResource(plan, resource, std::back_inserter(text)); });
     text += fmt::format(",\n  \"barriers\": {},\n  \"barrierBatches\": {},\n  \"naiveBarriers\": {},\n",
-                        plan.barriers.size(), plan.barrierBatches, plan.naiveBarriers);
-    text += fmt::format("  \"heapBytes\": 0,\n  \"naiveBytes\": {},\n  \"peakLiveBytes\": {}\n}}\n",
-                        plan.naiveBytes, plan.peakLiveBytes);
+                        plan.schedule.barriers.size(), plan.schedule.batchCount, plan.naiveBarriers);
+    text += fmt::format("  \"heapBytes\": {},\n  \"naiveBytes\": {},\n  \"peakLiveBytes\": {},\n",
+                        plan.heapBytes, plan.naiveBytes, plan.peakLiveBytes);
+    text += fmt::format("  \"policy\": \"{}\",\n  \"policies\": ", name(plan.policy));
+    std::vector<PolicyFigures> policies{plan.figures()};
+    if (plan.otherPolicy) policies.push_back(*plan.otherPolicy);
+    writeArray(text, policies,
+               [&](const PolicyFigures& figures) { writePolicy(figures, std::back_inserter(text)); });
+    text += fmt::format(
+        ",\n  \"skips\": {{\"notNeeded\": {}, \"neutral\": {}, \"keepable\": {}, \"tiled\": {}, "
+        "\"specialized\": {}}}\n}}\n",
+        plan.skips.notNeeded, plan.skips.neutral, plan.skips.keepable, plan.skips.tiled,
+        plan.skips.specialized);
     return text;
 }
 

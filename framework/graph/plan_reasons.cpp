@@ -9,8 +9,8 @@ namespace nephrite::graph {
 namespace {
 
 std::string whyItDoesNothing(const Plan& plan, Index node) {
-    const NodeDescription& description = plan.graph->description.nodes[node];
-    const bool needsLight = description.forEachLight || description.view == ViewKind::Light;
+    const LinkedNode& linked = plan.graph->nodes[node];
+    const bool needsLight = linked.forEach == ForEach::Lights || linked.view == ViewKind::Light;
     if (!needsLight || plan.lightViews > 0) return "";
     return "; the scene has no light, so its outputs are only cleared to their neutral value";
 }

@@ -42,44 +42,66 @@ std::size_t countOf(const Plan& plan, NodeState state) {
         plan.nodes.begin(), plan.nodes.end(), [&](const NodeDecision& node) { return node.state == state; }));
 }
 
+std::size_t sharingResources(const Plan& plan) {
+    return static_cast<std::size_t>(
+        std::count_if(plan.resources.begin(), plan.resources.end(),
+                      [](const Resource& resource) { return resource.kind == ResourceKind::Transient; }));
+}
+
 std::string summary(const Plan& plan) {
-    std::string text = fmt::format("plan of {} at {} x {}\n", plan.graph->description.name, plan.view.width,
-                                   plan.view.height);
+    std::string text = fmt::format("plan of {} at {} x {}, ordered for {}\n", plan.graph->description.name,
+                                   plan.view.width, plan.view.height, name(plan.policy));
     text += fmt::format("{} passes run, {} skipped, {} culled\n", countOf(plan, NodeState::Run),
                         countOf(plan, NodeState::Skipped), countOf(plan, NodeState::Culled));
-    text += fmt::format("{} resources take {}, at most {} of it in use at once\n", plan.resources.size(),
-                        bytesInWords(plan.naiveBytes), bytesInWords(plan.peakLiveBytes));
-    text += fmt::format("{} barriers in {} batches; one for each use would be {}\n", plan.barriers.size(),
-                        plan.barrierBatches, plan.naiveBarriers);
+    text +=
+        fmt::format("{} resources take {} apart; {} share a heap of {}, at most {} of it in use at once\n",
+                    plan.resources.size(), bytesInWords(plan.naiveBytes), sharingResources(plan),
+                    bytesInWords(plan.heapBytes), bytesInWords(plan.peakLiveBytes));
+    text += fmt::format("{} barriers in {} batches; one for each use would be {}\n",
+                        plan.schedule.barriers.size(), plan.schedule.batchCount, plan.naiveBarriers);
+    if (plan.otherPolicy)
+        text += fmt::format("ordered for {} it would be {} batches and a heap of {}\n",
+                            name(plan.otherPolicy->policy), plan.otherPolicy->barrierBatches,
+                            bytesInWords(plan.otherPolicy->heapBytes));
+    text += fmt::format(
+        "left out: {} not needed, {} neutral; can be left out: {} while unchanged, {} outside their domain; "
+        "{} specialised\n",
+        plan.skips.notNeeded, plan.skips.neutral, plan.skips.keepable, plan.skips.tiled,
+        plan.skips.specialized);
     return text;
 }
 
 void addBarriers(const Plan& plan, Range range, Table& table) {
-    for (const Barrier& barrier : slice(plan.barriers, range)) {
+    for (const Barrier& barrier : slice(plan.schedule.barriers, range)) {
         table.add({"barrier", plan.nameOf(plan.resources[barrier.resource]), transitionInWords(plan, barrier),
                    dependencyInWords(barrier)});
     }
 }
 
-std::string readInWords(const Plan& plan, const InputRead& read) {
-    if (read.resource != noIndex) return "from " + plan.nameOf(plan.resources[read.resource]);
-    return fmt::format("constant {}", fmt::join(read.neutral, " "));
+std::string readInWords(const Plan& plan, const PlannedPass& pass, Index port) {
+    const InputRead& read = plan.inputs[pass.inputs.first + port];
+    if (read.resource == noIndex)
+        return fmt::format("constant {}", fmt::join(neutralOf(plan, pass, port), " "));
+    std::string words = "from " + plan.nameOf(plan.resources[read.resource]);
+    if (read.mip != every) words += fmt::format(", level {}", read.mip);
+    if (read.layer != every) words += fmt::format(", layer {}", read.layer);
+    if (read.modified) words += ", modified in place";
+    return words;
 }
 
 void addReads(const Plan& plan, const PlannedPass& pass, Table& table) {
-    const auto reads = slice(plan.inputs, pass.inputs);
-    for (std::size_t i = 0; i < reads.size(); ++i) {
-        table.add({"read", plan.typeOf(pass).inputs[i].name, readInWords(plan, reads[i])});
-    }
+    for (Index port = 0; port < pass.inputs.count; ++port)
+        table.add({"read", plan.typeOf(pass).inputs[port].name, readInWords(plan, pass, port)});
+    if (pass.tileList != noIndex)
+        table.add({"tiles", "", "from " + plan.nameOf(plan.resources[pass.tileList])});
 }
 
 void addWrites(const Plan& plan, const PlannedPass& pass, Table& table) {
-    for (const Index index : slice(plan.outputs, pass.outputs)) {
-        if (index == noIndex) continue;
-        const Resource& resource = plan.resources[index];
-        table.add({pass.iterations == 0 ? "clear" : "write", plan.typeOf(pass).outputs[resource.port].name,
+    for (Index port = 0; port < pass.outputs.count; ++port) {
+        const Resource& resource = plan.resources[plan.outputs[pass.outputs.first + port]];
+        table.add({pass.iterations == 0 ? "clear" : "write", plan.typeOf(pass).outputs[port].name,
                    formatName(plan, resource), sizeInWords(resource), bytesInWords(resource.bytes),
-                   fmt::format("passes {} to {}{}", resource.first, resource.last,
+                   fmt::format("passes {} to {}, {}{}", resource.first, resource.last, placeInWords(resource),
                                resource.requested ? ", requested" : "")});
     }
 }
@@ -93,9 +115,12 @@ std::string nodeLine(const Plan& plan, Index node) {
 void appendPass(const Plan& plan, Index index, std::string& text) {
     const PlannedPass& pass = plan.passes[index];
     text += fmt::format("\n{:>4}  {}\n", index, nodeLine(plan, pass.node));
-    if (pass.iterations > 1) text += fmt::format("      {} iterations, one a light view\n", pass.iterations);
+    if (pass.iterations > 1)
+        text += fmt::format("      {} iterations, one a {}\n", pass.iterations,
+                            pass.forEach == ForEach::Mips ? "level" : "light view");
     Table barriers, reads, writes;
-    addBarriers(plan, pass.barriers, barriers);
+    for (Index batch = 0; batch < pass.batchCount(); ++batch)
+        addBarriers(plan, plan.schedule.batches[pass.firstBatch + batch], barriers);
     addReads(plan, pass, reads);
     addWrites(plan, pass, writes);
     for (const Table* table : {&barriers, &reads, &writes}) table->appendTo(text, "      ");
@@ -104,10 +129,10 @@ void appendPass(const Plan& plan, Index index, std::string& text) {
 void appendRequested(const Plan& plan, std::string& text) {
     text += "\n      copied out after the last pass\n";
     Table barriers, outputs;
-    addBarriers(plan, plan.finalBarriers, barriers);
+    addBarriers(plan, plan.schedule.batches.back(), barriers);
     for (const RequestedOutput& output : plan.requested) {
         outputs.add({"output", output.name,
-                     output.resource == noIndex ? "an empty buffer"
+                     output.resource == noIndex ? "constant"
                                                 : "from " + plan.nameOf(plan.resources[output.resource])});
     }
     for (const Table* table : {&barriers, &outputs}) table->appendTo(text, "      ");

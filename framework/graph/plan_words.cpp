@@ -10,7 +10,8 @@ namespace {
 
 std::string usesInWords(std::uint32_t uses) {
     std::string words;
-    for (Use use = Use::ComputeRead; use <= Use::Copy; use = static_cast<Use>(static_cast<int>(use) + 1)) {
+    for (Use use = Use::ComputeRead; use <= Use::ComputeLevelRead;
+         use = static_cast<Use>(static_cast<int>(use) + 1)) {
         if ((uses & bit(use)) == 0) continue;
         if (!words.empty()) words += " and ";
         words += name(use);
@@ -27,7 +28,9 @@ std::vector<Index> nodesInReportOrder(const Plan& plan) {
     for (const PlannedPass& pass : plan.passes) order.push_back(pass.node);
     for (const NodeState state : {NodeState::Skipped, NodeState::Culled}) {
         for (Index node = 0; node < plan.nodes.size(); ++node) {
-            if (passes[node] == noIndex && plan.nodes[node].state == state) order.push_back(node);
+            const bool isWritten = plan.graph->nodes[node].role == NodeRole::Pass;
+            if (isWritten && passes[node] == noIndex && plan.nodes[node].state == state)
+                order.push_back(node);
         }
     }
     return order;
@@ -52,6 +55,20 @@ std::string sizeInWords(const Resource& resource) {
     return words;
 }
 
+std::string placeInWords(const Resource& resource) {
+    switch (resource.kind) {
+        case ResourceKind::Transient:
+            return fmt::format("at byte {} of the heap", resource.offset);
+        case ResourceKind::Kept:
+            return "kept over frames";
+        case ResourceKind::History:
+            return "one of a ring over frames";
+        case ResourceKind::Imported:
+            return "from outside";
+    }
+    return "";
+}
+
 std::string bytesInWords(std::uint64_t bytes) {
     static constexpr std::array<std::string_view, 5> units{"KiB", "MiB", "GiB", "TiB", "PiB"};
     if (bytes < 1024) return fmt::format("{} B", bytes);
@@ -68,9 +85,11 @@ std::string transitionInWords(const Plan& plan, const Barrier& barrier) {
 }
 
 std::string dependencyInWords(const Barrier& barrier) {
-    const std::string after = usesInWords(barrier.usesAfter);
-    if (barrier.usesBefore == 0) return fmt::format("for {}, nothing to wait for", after);
-    return fmt::format("for {}, after {}", after, usesInWords(barrier.usesBefore));
+    const std::string after =
+        barrier.usesAfter == 0 ? std::string("for the next frame") : "for " + usesInWords(barrier.usesAfter);
+    if (barrier.usesBefore == 0) return after + ", nothing to wait for";
+    return fmt::format("{}, after {}{}", after, usesInWords(barrier.usesBefore),
+                       barrier.aliases ? " of what had the memory before" : "");
 }
 
 }  // namespace nephrite::graph

@@ -17,6 +17,8 @@ std::vector<Index> passOfNode(const Plan& plan);
 std::string formatName(const Plan& plan, const Resource& resource);
 /// "512 x 512, 9 mips, 6 layers" or "100 elements".
 std::string sizeInWords(const Resource& resource);
+/// "at byte 4096 of the heap", "kept over frames", ...
+std::string placeInWords(const Resource& resource);
 /// "4.00 MiB".
 std::string bytesInWords(std::uint64_t bytes);
 /// "general -> shader read" or, where the layout stays, "stays general"; empty for a buffer.

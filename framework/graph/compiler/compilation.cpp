@@ -13,17 +13,19 @@ const SourceLocation& whereOf(const Expression& expression, const OutputPort& po
 Compilation::Compilation(const CompileRequest& compileRequest)
     : request(compileRequest),
       graph(*compileRequest.graph),
+      parameters(compileRequest.parameters ? *compileRequest.parameters : graph.values),
       switches(graph.nodes.size(), Switch::On),
       iterations(graph.nodes.size(), 1),
       inputIsNeutral(graph.inputs.size(), 0),
       inputIsRead(graph.inputs.size(), 0),
       extents(graph.formats.size()),
       resources(graph.formats.size(), noIndex),
-      values(graph, compileRequest.facts, inputIsNeutral) {
+      values(graph, parameters, compileRequest.facts, inputIsNeutral) {
     plan.graph = request.graph;
     plan.view = request.view;
     plan.lightViews = request.facts.lightViews;
     plan.inputReads = request.inputReads;
+    plan.policy = request.policy;
     plan.nodes.resize(graph.nodes.size());
 }
 

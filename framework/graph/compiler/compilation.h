@@ -15,21 +15,21 @@ namespace nephrite::graph {
 /// Whether a node's own conditions let it run.
 enum class Switch : std::uint8_t { On, OffByWhen, OffBySkipWhen };
 
-/// One use of a resource by a pass; pass == Plan::passes.size() is what follows the last pass.
-struct PassUse {
-    Index resource = noIndex;
-    Index pass = noIndex;
-    Use use = Use::None;
-};
-
 /// Where an expression of a port is written, or the port if the manifest leaves the expression out.
 const SourceLocation& whereOf(const Expression& expression, const OutputPort& port);
+
+/// A size that no image can have.
+struct RefusedExtent {
+    Index node = noIndex;
+    Diagnostic fault;
+};
 
 struct Compilation {
     explicit Compilation(const CompileRequest& compileRequest);
 
     const CompileRequest& request;
     const LinkedGraph& graph;
+    const ParameterValues& parameters;
     Plan plan;
     Diagnostics faults;
 
@@ -42,18 +42,43 @@ struct Compilation {
         inputIsNeutral;  ///< by linked input: unconnected, or its source is switched off
     std::vector<std::uint8_t>
         inputIsRead;  ///< by linked input: its node reads the source's image if it is needed
+    std::vector<Index>
+        forwards;  ///< by output port, if the graph has modifiers: the port whose contents it has
+                   ///< (itself, unless its node is switched off), or noIndex if they are neutral
+    std::vector<Index> nodeOfPort;  ///< by output port, if the graph has modifiers
 
-    std::vector<Extent> extents;   ///< by output port
-    std::vector<Index> resources;  ///< by output port: index into Plan::resources or noIndex
+    std::vector<Extent> extents;                ///< by output port
+    std::vector<RefusedExtent> refusedExtents;  ///< faults, if their nodes run
+    std::vector<std::uint8_t> isTiled;          ///< by node, if the graph has domains: usesTileList()
+    std::vector<Index> resources;               ///< by output port: index into Plan::resources or noIndex
+    std::vector<Index> older;  ///< by resource, if there is history: the same port one frame earlier
 
-    std::vector<PassUse> uses;          ///< sorted by resource, then pass
-    std::vector<Range> usesOfResource;  ///< in `uses`
+    std::vector<Index> order;   ///< the nodes that become passes
+    std::vector<Index> passOf;  ///< by node: index into Plan::passes or noIndex
+    std::vector<Index>
+        levelStarts;  ///< by pass: the first pass of its level; empty: each is a level of its own
+    std::vector<Index> placedAfter;  ///< by node: the source that kept it from standing earlier
 
     ExpressionValues values;
 
     Index portIndex(Index node, Index port) const { return graph.nodes[node].formats.first + port; }
     const NodeDescription& description(Index node) const { return graph.description.nodes[node]; }
     const PassType& typeOf(Index node) const { return *graph.nodes[node].type; }
+    bool runs(Index node) const { return plan.nodes[node].state == NodeState::Run; }
+    /// The port whose contents an input's source has: another one where the source passes its own input
+    /// through; noIndex if they are neutral.
+    Index contentsOf(const LinkedInput& input) const {
+        const Index port = portIndex(input.sourceNode, input.sourcePort);
+        return forwards.empty() ? port : forwards[port];
+    }
+    /// The node of that port; noIndex if the contents are neutral.
+    Index sourceOf(const LinkedInput& input) const {
+        if (forwards.empty()) return input.sourceNode;
+        const Index port = contentsOf(input);
+        return port == noIndex ? noIndex : nodeOfPort[port];
+    }
+    /// True if the node computes only the tiles of its domain.
+    bool usesTileList(Index node) const { return !isTiled.empty() && isTiled[node] != 0; }
     /// The value of a condition; NaN is a fault.
     bool holds(Index node, const Expression& condition);
 };

@@ -24,17 +24,11 @@ Index indexNamed(const std::vector<T>& elements, std::string_view name) {
 
 }  // namespace
 
-ExpressionValues::ExpressionValues(const LinkedGraph& graph, const SceneFacts& facts,
-                                   const std::vector<std::uint8_t>& inputIsNeutral)
-    : graph_(graph), facts_(facts), inputIsNeutral_(inputIsNeutral) {
-    const auto& parameters = graph.description.parameters;
-    for (Index i = 0; i < parameters.size(); ++i) graphParameters_.emplace(parameters[i].name, i);
-}
-
-const ParameterValue& ExpressionValues::parameter(Index node, Index parameter) const {
-    const LinkedParameter& linked = graph_.parameters[graph_.nodes[node].parameters.first + parameter];
-    if (linked.graphParameter == noIndex) return linked.value;
-    return graph_.description.parameters[linked.graphParameter].value;
+ExpressionValues::ExpressionValues(const LinkedGraph& graph, const ParameterValues& parameters,
+                                   const SceneFacts& facts, const std::vector<std::uint8_t>& inputIsNeutral)
+    : graph_(graph), parameters_(parameters), facts_(facts), inputIsNeutral_(inputIsNeutral) {
+    const auto& declared = graph.description.parameters;
+    for (Index i = 0; i < declared.size(); ++i) graphParameters_.emplace(declared[i].name, i);
 }
 
 double ExpressionValues::at(Index node, const Expression& expression) {
@@ -91,9 +85,9 @@ ExpressionValues::ResolvedName ExpressionValues::resolve(Index node, const Expre
 double ExpressionValues::valueOf(Index node, const ResolvedName& name) const {
     switch (name.space) {
         case ExpressionName::Space::Parameter:
-            return parameter(node, name.index).components.at(name.element);
+            return graph_.valueOf(node, name.index, parameters_).components.at(name.element);
         case ExpressionName::Space::GraphParameter:
-            return graph_.description.parameters[name.index].value.components.at(name.element);
+            return parameters_.graph[name.index].components.at(name.element);
         case ExpressionName::Space::SceneFact:
             return name.fact;
         case ExpressionName::Space::InputNeutral:

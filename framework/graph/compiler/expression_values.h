@@ -17,7 +17,7 @@ struct SceneFacts;
 class ExpressionValues {
   public:
     /// The references must outlive the object; `inputIsNeutral` has an entry for each of graph.inputs.
-    ExpressionValues(const LinkedGraph& graph, const SceneFacts& facts,
+    ExpressionValues(const LinkedGraph& graph, const ParameterValues& parameters, const SceneFacts& facts,
                      const std::vector<std::uint8_t>& inputIsNeutral);
 
     /// The value of `expression` at `node`. Throws InputError for a name that does not exist.
@@ -25,8 +25,6 @@ class ExpressionValues {
     /// The same for a number of things: cut to a whole number, as integer division does. Rounding errors of
     /// the expression's own arithmetic do not lose a whole one.
     double countAt(Index node, const Expression& expression);
-    /// The value a node's parameter has.
-    const ParameterValue& parameter(Index node, Index parameter) const;
 
   private:
     struct ResolvedName {
@@ -40,6 +38,7 @@ class ExpressionValues {
     double valueOf(Index node, const ResolvedName& name) const;
 
     const LinkedGraph& graph_;
+    const ParameterValues& parameters_;
     const SceneFacts& facts_;
     const std::vector<std::uint8_t>& inputIsNeutral_;
     std::unordered_map<std::string_view, Index> graphParameters_;

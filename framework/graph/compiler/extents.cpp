@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
+#include "graph/compiler/image_size.h"
 #include "graph/compiler/phases.h"
 
 namespace nephrite::graph {
@@ -29,26 +29,60 @@ class ExtentResolver {
     explicit ExtentResolver(Compilation& work) : work_(work) {}
 
     Extent resolve(Index node, Index port) {
+        const PortShape& shape = work_.graph.shapes[work_.portIndex(node, port)];
+        if (shape.size == PortShape::Size::Picture) return work_.request.view;
+        const bool isFixed = shape.size == PortShape::Size::Fixed && shape.width <= work_.request.maxExtent &&
+                             shape.height <= work_.request.maxExtent;
+        return isFixed ? Extent{shape.width, shape.height} : compute(node, port);
+    }
+
+    /// Of the levels that an input shows.
+    Extent extentOf(const LinkedInput& source) const {
+        const Extent whole = work_.extents[work_.portIndex(source.sourceNode, source.sourcePort)];
+        return source.mip == every ? whole : levelExtent(whole, source.mip);
+    }
+
+  private:
+    Extent compute(Index node, Index port) {
         const OutputPort& output = work_.typeOf(node).outputs[port];
+        const LinkedNode& linked = work_.graph.nodes[node];
+        if (linked.role == NodeRole::Import) return importedExtent(node);
+        if (linked.role == NodeRole::TileList) return {0, 1};  // known when its domain's layers are
+        const Index modified = work_.graph.modifies[work_.portIndex(node, port)];
+        if (modified != noIndex && work_.graph.inputs[modified].sourceNode != noIndex)
+            return modifiedExtent(work_.graph.inputs[modified]);
         if (!output.bufferElement.empty()) return bufferExtent(node, port);
-        const auto& nodeSize = work_.description(node).size;
-        if (nodeSize && nodeSize->kind == SizeRule::Kind::Like) {
-            const LinkedNode& linked = work_.graph.nodes[node];
-            return work_.extents[work_.portIndex(linked.sizeLikeNode, linked.sizeLikePort)];
-        }
-        if (nodeSize) return ownExtent(node, port, *nodeSize);
+        if (linked.hasSize) return nodeExtent(node, port);
         if (!output.size) return firstInputExtent(node);
         if (output.size->kind == SizeRule::Kind::Like) return extentLikeInput(node, output.size->like);
         return ownExtent(node, port, *output.size);
     }
 
-  private:
-    /// The extent of the first connected input that is an image, else the view's.
+    Extent importedExtent(Index node) const {
+        const Index import = work_.graph.nodes[node].import;
+        return import < work_.request.imports.size() ? work_.request.imports[import].extent : Extent{1, 1};
+    }
+
+    /// Written in place: the whole resource's extent, whichever level the input shows.
+    Extent modifiedExtent(LinkedInput source) const {
+        source.mip = every;
+        return extentOf(source);
+    }
+
+    Extent nodeExtent(Index node, Index port) {
+        const SizeRule& size = *work_.description(node).size;
+        if (size.kind != SizeRule::Kind::Like) return ownExtent(node, port, size);
+        const LinkedNode& linked = work_.graph.nodes[node];
+        return work_.extents[work_.portIndex(linked.sizeLikeNode, linked.sizeLikePort)];
+    }
+
+    /// The extent of the first connected input that is an image of this frame, else the view's. An earlier
+    /// frame's may be the node's own.
     Extent firstInputExtent(Index node) const {
         const auto& inputs = work_.typeOf(node).inputs;
         for (Index i = 0; i < inputs.size(); ++i) {
             const LinkedInput& source = sourceOf(node, i);
-            if (source.sourceNode != noIndex && inputs[i].bufferElement.empty()) return extentOf(source);
+            if (isOfThisFrame(source) && inputs[i].bufferElement.empty()) return extentOf(source);
         }
         return work_.request.view;
     }
@@ -58,16 +92,16 @@ class ExtentResolver {
         const auto& inputs = work_.typeOf(node).inputs;
         for (Index i = 0; i < inputs.size(); ++i) {
             const LinkedInput& source = sourceOf(node, i);
-            if (source.sourceNode != noIndex && inputs[i].name == name) return extentOf(source);
+            if (isOfThisFrame(source) && inputs[i].name == name) return extentOf(source);
         }
         return firstInputExtent(node);
     }
 
+    static bool isOfThisFrame(const LinkedInput& source) {
+        return source.sourceNode != noIndex && source.framesBack == 0;
+    }
     const LinkedInput& sourceOf(Index node, Index input) const {
         return work_.graph.inputs[work_.graph.nodes[node].inputs.first + input];
-    }
-    Extent extentOf(const LinkedInput& source) const {
-        return work_.extents[work_.portIndex(source.sourceNode, source.sourcePort)];
     }
 
     Extent ownExtent(Index node, Index port, const SizeRule& rule) {
@@ -76,33 +110,35 @@ class ExtentResolver {
         if (rule.kind == SizeRule::Kind::ScaleOfView) {
             if (!(width > 0))
                 return refuse(node, port, rule, fmt::format("scale {}, expected more than 0", width));
-            return checked(node, port, rule, std::max(1.0, std::round(width * view.width)),
-                           std::max(1.0, std::round(width * view.height)));
+            return checked(node, port, rule, std::max(1.0, width * view.width),
+                           std::max(1.0, width * view.height));
         }
         const double height = work_.values.at(node, rule.height);
         return checked(node, port, rule, width == 0 ? view.width : width, height == 0 ? view.height : height);
     }
 
     Extent checked(Index node, Index port, const SizeRule& rule, double width, double height) {
-        const std::uint32_t limit = work_.request.maxExtent;
-        const auto isValid = [&](double size) { return std::round(size) >= 1 && std::round(size) <= limit; };
-        if (isValid(width) && isValid(height)) {
-            return {static_cast<std::uint32_t>(std::round(width)),
-                    static_cast<std::uint32_t>(std::round(height))};
-        }
-        return refuse(node, port, rule,
-                      fmt::format("size {} x {}, expected 1 to {} each way", width, height, limit));
+        const double limit = work_.request.maxExtent + 0.5;
+        const auto isValid = [&](double size) { return size >= 0.5 && size < limit; };
+        if (isValid(width) && isValid(height))
+            return {static_cast<std::uint32_t>(width + 0.5), static_cast<std::uint32_t>(height + 0.5)};
+        return refuse(
+            node, port, rule,
+            fmt::format("size {} x {}, expected 1 to {} each way", width, height, work_.request.maxExtent));
     }
 
     /// A node that does not run may have a size only its condition makes nonsense of; a literal one is wrong
     /// anyway. A node's size is reported once, not for each of its ports.
     Extent refuse(Index node, Index port, const SizeRule& rule, const std::string& what) {
-        const auto& faults = work_.faults.errors();
-        const bool isKnown = !faults.empty() && faults.back().where == rule.where;
-        if (!isKnown && (runs(node) || isLiteral(rule))) {
-            work_.faults.error(rule.where, fmt::format("{}: {}", work_.graph.portName(node, port), what));
-        }
+        const auto& refused = work_.refusedExtents;
+        if (refused.empty() || refused.back().fault.where != rule.where) refuse(node, port, rule.where, what);
+        if (isLiteral(rule)) work_.refusedExtents.back().node = noIndex;
         return {1, 1};
+    }
+
+    void refuse(Index node, Index port, const SourceLocation& where, const std::string& what) {
+        work_.refusedExtents.push_back(
+            {node, {where, fmt::format("{}: {}", work_.graph.portName(node, port), what)}});
     }
 
     /// Elements in width. Whether they fit is checked with the element's size, in resolvePorts().
@@ -111,18 +147,32 @@ class ExtentResolver {
         const double count = work_.values.countAt(node, output.bufferCount);
         constexpr double limit = 4294967295.0;
         if (count >= 0 && count <= limit) return {static_cast<std::uint32_t>(count), 1};
-        if (runs(node)) {
-            work_.faults.error(whereOf(output.bufferCount, output),
-                               fmt::format("{}: a buffer of {} elements, expected 0 to {}",
-                                           work_.graph.portName(node, port), count, limit));
-        }
+        refuse(node, port, whereOf(output.bufferCount, output),
+               fmt::format("a buffer of {} elements, expected 0 to {}", count, limit));
         return {0, 1};
     }
 
-    bool runs(Index node) const { return work_.plan.nodes[node].state == NodeState::Run; }
-
     Compilation& work_;
 };
+
+/// A domain can name the tiles to compute only if its texels are those of the pass.
+bool canUseTileList(const Compilation& work, const ExtentResolver& resolver, Index node) {
+    const LinkedNode& linked = work.graph.nodes[node];
+    constexpr std::uint32_t mostTiles = 65535;  // groups of a dispatch that every device allows
+    if (linked.tileList == noIndex || linked.forEach == ForEach::Mips || work.iterations[node] == 0)
+        return false;
+    const Index domain = linked.inputs.first + linked.type->domainInput;
+    if (!work.inputIsRead[domain] || linked.formats.count == 0) return false;
+    const Extent extent = work.extents[linked.formats.first];
+    return resolver.extentOf(work.graph.inputs[domain]) == extent && tileCount(extent) <= mostTiles;
+}
+
+void findTiled(Compilation& work, const ExtentResolver& resolver) {
+    if (!work.request.skip || !work.graph.hasDomains) return;
+    work.isTiled.assign(work.graph.nodes.size(), 0);
+    for (Index node = 0; node < work.graph.nodes.size(); ++node)
+        work.isTiled[node] = canUseTileList(work, resolver, node);
+}
 
 }  // namespace
 
@@ -135,6 +185,7 @@ void resolveExtents(Compilation& work) {
             work.extents[work.portIndex(node, port)] = resolver.resolve(node, port);
         }
     }
+    findTiled(work, resolver);
 }
 
 }  // namespace nephrite::graph

@@ -1,40 +1,157 @@
-// Phase: execution order. The linked graph's topological order without the nodes that do not run, so that
-// skipping one node never reorders the others; skipped nodes whose outputs are requested come last: they read
-// nothing and nothing reads them, they are only cleared.
+// Phase: execution order. Barriers policy: by level, the length of the longest chain of dependencies before a
+// node, so that a batch of barriers serves as many passes as possible; ties in the order of declaration.
+// Memory policy: a search for an order that needs little memory. Nodes that are only cleared come last: they
+// read nothing and nothing reads them.
+#include <algorithm>
+
+#include "graph/compiler/memory_order.h"
 #include "graph/compiler/phases.h"
 
 namespace nephrite::graph {
 namespace {
 
-void addPass(Compilation& work, Index node) {
-    PlannedPass pass;
-    pass.node = node;
-    pass.iterations = work.iterations[node];
-    pass.view = work.description(node).view;
-    const Index count = work.graph.nodes[node].parameters.count;
-    pass.parameters = {static_cast<Index>(work.plan.parameters.size()), count};
-    for (Index i = 0; i < count; ++i) work.plan.parameters.push_back(work.values.parameter(node, i));
-    work.plan.passes.push_back(pass);
+/// It only clears.
+bool readsNothing(const Compilation& work, Index node) {
+    return !work.runs(node) || work.iterations[node] == 0;
 }
 
-/// Nodes that are skipped although one of their ports is requested.
-std::vector<std::uint8_t> requestedButSkipped(const Compilation& work) {
-    std::vector<std::uint8_t> result(work.graph.nodes.size(), 0);
-    for (const LinkedOutput& output : work.requested) {
-        result[output.node] = work.plan.nodes[output.node].state == NodeState::Skipped;
+/// The readers of what `node` overwrites: those of the version it modifies, and of older ones that nodes
+/// which are switched off passed through to it.
+template<class Visit>
+void forEachReaderBefore(const Compilation& work, Index node, Visit visit) {
+    const auto readersBefore = [&](Index modifier) {
+        for (const Index reader : slice(work.graph.after, work.graph.nodes[modifier].after)) {
+            if (work.runs(reader) && reader != node) visit(reader);
+        }
+    };
+    readersBefore(node);
+    const Range ports = work.graph.nodes[node].formats;
+    for (Index port = ports.first; port < ports.first + ports.count; ++port) {
+        Index modified = work.graph.modifies[port];
+        while (modified != noIndex) {
+            const LinkedInput& source = work.graph.inputs[modified];
+            if (source.sourceNode == noIndex || work.switches[source.sourceNode] == Switch::On) break;
+            modified = work.graph.modifies[work.portIndex(source.sourceNode, source.sourcePort)];
+            if (modified != noIndex) readersBefore(source.sourceNode);
+        }
     }
-    return result;
+}
+
+/// Calls `visit` with each node that must come before `node` in the frame.
+template<class Visit>
+void forEachSource(const Compilation& work, Index node, Visit visit) {
+    if (readsNothing(work, node)) return;
+    const LinkedNode& linked = work.graph.nodes[node];
+    for (Index i = linked.inputs.first; i < linked.inputs.first + linked.inputs.count; ++i) {
+        const LinkedInput& input = work.graph.inputs[i];
+        if (!work.inputIsRead[i] || input.framesBack > 0) continue;
+        const Index source = work.sourceOf(input);
+        if (source != noIndex && work.graph.nodes[source].role != NodeRole::Import) visit(source);
+    }
+    if (work.graph.hasModifiers) forEachReaderBefore(work, node, visit);
+    if (work.usesTileList(node)) visit(linked.tileList);
+}
+
+/// Levels of the nodes in work.order, which lists sources before readers.
+std::vector<Index> findLevels(Compilation& work) {
+    std::vector<Index> levels(work.graph.nodes.size(), 0);
+    Index highest = 0;
+    for (const Index node : work.order) {
+        Index level = 0;
+        Index latest = noIndex;
+        forEachSource(work, node, [&](Index source) {
+            if (levels[source] < level) return;
+            level = levels[source] + 1;
+            latest = source;
+        });
+        if (!work.runs(node)) level = highest + 1;
+        levels[node] = level;
+        highest = std::max(highest, level);
+        work.placedAfter[node] = latest;
+    }
+    return levels;
+}
+
+/// Stable counting sort of work.order.
+void sortByLevel(Compilation& work, const std::vector<Index>& levels) {
+    // Outputs that are only cleared come one level later than all else, also where nothing else is.
+    std::vector<Index> next(work.order.size() + 2, 0);
+    for (const Index node : work.order) ++next[levels[node] + 1];
+    for (std::size_t level = 1; level < next.size(); ++level) next[level] += next[level - 1];
+    const std::vector<Index> starts(next);
+    std::vector<Index> sorted(work.order.size());
+    work.levelStarts.resize(work.order.size());
+    for (const Index node : work.order) {
+        const Index pass = next[levels[node]]++;
+        sorted[pass] = node;
+        work.levelStarts[pass] = starts[levels[node]];
+    }
+    work.order = std::move(sorted);
+}
+
+/// The part of the graph that runs, as the search for a memory order sees it: passes and resources only.
+OrderProblem orderProblem(const Compilation& work) {
+    std::vector<Index> position(work.graph.nodes.size(), noIndex);
+    for (Index i = 0; i < work.order.size(); ++i) position[work.order[i]] = i;
+    OrderProblem problem;
+    for (const Index node : work.order) {
+        Range sources{static_cast<Index>(problem.sourceIndices.size()), 0};
+        forEachSource(work, node, [&](Index source) { problem.sourceIndices.push_back(position[source]); });
+        sources.count = static_cast<Index>(problem.sourceIndices.size()) - sources.first;
+        problem.sources.push_back(sources);
+
+        const auto first = static_cast<std::ptrdiff_t>(problem.touchedIndices.size());
+        const LinkedNode& linked = work.graph.nodes[node];
+        for (Index i = linked.inputs.first; i < linked.inputs.first + linked.inputs.count; ++i) {
+            const LinkedInput& input = work.graph.inputs[i];
+            if (readsNothing(work, node) || !work.inputIsRead[i] || input.framesBack > 0) continue;
+            const Index port = work.contentsOf(input);
+            if (port != noIndex && work.resources[port] != noIndex)
+                problem.touchedIndices.push_back(work.resources[port]);
+        }
+        for (Index port = linked.formats.first; port < linked.formats.first + linked.formats.count; ++port) {
+            if (work.resources[port] != noIndex) problem.touchedIndices.push_back(work.resources[port]);
+        }
+        const auto begin = problem.touchedIndices.begin() + first;
+        std::sort(begin, problem.touchedIndices.end());
+        problem.touchedIndices.erase(std::unique(begin, problem.touchedIndices.end()),
+                                     problem.touchedIndices.end());
+        problem.touched.push_back(
+            {static_cast<Index>(first),
+             static_cast<Index>(problem.touchedIndices.size()) - static_cast<Index>(first)});
+    }
+    for (const Resource& resource : work.plan.resources) {
+        problem.bytes.push_back(resource.kind == ResourceKind::Transient ? resource.bytes : 0);
+        problem.livesToEnd.push_back(resource.requested);
+    }
+    return problem;
+}
+
+void sortForMemory(Compilation& work) {
+    std::vector<Index> sorted;
+    for (const Index i : orderForMemory(orderProblem(work))) sorted.push_back(work.order[i]);
+    work.order = std::move(sorted);
+    std::vector<Index> position(work.graph.nodes.size(), 0);
+    for (Index i = 0; i < work.order.size(); ++i) {
+        const Index node = work.order[i];
+        position[node] = i;
+        Index& latest = work.placedAfter[node];
+        forEachSource(work, node, [&](Index source) {
+            if (latest == noIndex || position[source] > position[latest]) latest = source;
+        });
+    }
 }
 
 }  // namespace
 
 void orderPasses(Compilation& work) {
-    for (const Index node : work.graph.declarationOrder) {
-        if (work.plan.nodes[node].state == NodeState::Run) addPass(work, node);
-    }
-    const std::vector<std::uint8_t> onlyCleared = requestedButSkipped(work);
-    for (const Index node : work.graph.declarationOrder) {
-        if (onlyCleared[node]) addPass(work, node);
+    work.placedAfter.assign(work.graph.nodes.size(), noIndex);
+    if (work.request.plain) return;
+    switch (work.request.policy) {
+        case Policy::Barriers:
+            return sortByLevel(work, findLevels(work));
+        case Policy::Memory:
+            return sortForMemory(work);
     }
 }
 

@@ -11,25 +11,31 @@ void findRequested(Compilation& work);
 /// Which nodes their own `when` and `skipWhen` switch off, which inputs are neutral, and which are read.
 void decideSkips(Compilation& work);
 
+/// The extent of every output port, and which nodes compute only the tiles of their domain.
+void resolveExtents(Compilation& work);
+
 /// Which nodes no requested output or side effect needs. Fills Plan::nodes.
 void cullUnneeded(Compilation& work);
 
-/// The passes in execution order, with their parameter values.
+/// The resources of all nodes that run or are cleared, with format, levels, layers and bytes.
+void makeResources(Compilation& work);
+
+/// The nodes in execution order, by the policy asked for.
 void orderPasses(Compilation& work);
 
-/// The extent of every output port.
-void resolveExtents(Compilation& work);
+/// The passes in that order: what each reads and writes.
+void connectPasses(Compilation& work);
 
-/// The resources that passes write, with format, mips, layers and bytes, and what each input reads.
-void resolvePorts(Compilation& work);
-
-/// Every use of every resource, and from them first and last use.
+/// Which resources are used by whom, first and last, and how.
 void findLifetimes(Compilation& work);
 
-/// Bytes of all resources and of those alive at once.
-void measureMemory(Compilation& work);
+/// Which results outlast the frame, and the layouts they are in between frames.
+void decideKept(Compilation& work);
 
-/// The batch of barriers before each pass and before the copies out.
-void placeBarriers(Compilation& work);
+/// Offsets in the heap, and the bytes of all resources and of those alive at once.
+void placeInMemory(Compilation& work);
+
+/// What each layer of skipping leaves out.
+void countSkips(Compilation& work);
 
 }  // namespace nephrite::graph

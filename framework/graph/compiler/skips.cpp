@@ -6,50 +6,86 @@ namespace nephrite::graph {
 namespace {
 
 Switch switchOf(Compilation& work, Index node) {
-    const auto& when = work.description(node).when;
-    if (when && !work.holds(node, *when)) return Switch::OffByWhen;
+    const LinkedNode& linked = work.graph.nodes[node];
+    if (linked.hasWhen && !work.holds(node, *work.description(node).when)) return Switch::OffByWhen;
+    if (!linked.hasConditions) return Switch::On;
     const auto& skipWhen = work.typeOf(node).skipWhen;
-    if (work.request.skip && skipWhen && work.holds(node, *skipWhen)) return Switch::OffBySkipWhen;
+    if (skipWhen && work.request.skip && work.holds(node, *skipWhen)) return Switch::OffBySkipWhen;
     return Switch::On;
 }
 
 std::uint32_t iterationsOf(const Compilation& work, Index node) {
     if (work.switches[node] != Switch::On) return 0;
-    const NodeDescription& description = work.description(node);
+    const LinkedNode& linked = work.graph.nodes[node];
     const std::uint32_t lightViews = work.request.facts.lightViews;
-    if (description.forEachLight) return lightViews;
-    return description.view == ViewKind::Light && lightViews == 0 ? 0 : 1;
+    if (linked.forEach == ForEach::Lights) return lightViews;
+    return linked.view == ViewKind::Light && lightViews == 0 ? 0 : 1;
+}
+
+/// Neutral: nothing is connected, or the source is switched off and passes nothing through. What the last
+/// frames left is not known here.
+bool isNeutral(const Compilation& work, const LinkedInput& input) {
+    if (input.sourceNode == noIndex) return true;
+    if (input.framesBack > 0) return false;
+    if (!work.forwards.empty()) return work.contentsOf(input) == noIndex;
+    return work.switches[input.sourceNode] != Switch::On;
 }
 
 /// `inputs.PORT.neutral` of each input.
 void findNeutralInputs(Compilation& work, Index node) {
     const Range inputs = work.graph.nodes[node].inputs;
-    for (Index i = inputs.first; i < inputs.first + inputs.count; ++i) {
-        const Index source = work.graph.inputs[i].sourceNode;
-        work.inputIsNeutral[i] = source == noIndex || work.switches[source] != Switch::On;
-    }
+    for (Index i = inputs.first; i < inputs.first + inputs.count; ++i)
+        work.inputIsNeutral[i] = isNeutral(work, work.graph.inputs[i]);
 }
 
 /// An input is read unless it is neutral, its neededWhen is false, or its node does nothing.
 void findReadInputs(Compilation& work, Index node) {
     if (work.iterations[node] == 0) return;
     const Range inputs = work.graph.nodes[node].inputs;
+    if (!work.graph.nodes[node].hasConditions) {
+        for (Index i = inputs.first; i < inputs.first + inputs.count; ++i)
+            work.inputIsRead[i] = !work.inputIsNeutral[i];
+        return;
+    }
+    const auto& ports = work.typeOf(node).inputs;
     for (Index port = 0; port < inputs.count; ++port) {
         if (work.inputIsNeutral[inputs.first + port]) continue;
-        const auto& neededWhen = work.typeOf(node).inputs[port].neededWhen;
-        const bool needed = !work.request.skip || !neededWhen || work.holds(node, *neededWhen);
+        const auto& neededWhen = ports[port].neededWhen;
+        const bool needed = !neededWhen || !work.request.skip || work.holds(node, *neededWhen);
         work.inputIsRead[inputs.first + port] = needed;
+    }
+}
+
+/// What each output's readers find: the output itself, or what a modifier that is switched off passes
+/// through.
+void findForwards(Compilation& work, Index node) {
+    const Range ports = work.graph.nodes[node].formats;
+    for (Index port = ports.first; port < ports.first + ports.count; ++port) {
+        const Index modified = work.graph.modifies[port];
+        work.nodeOfPort[port] = node;
+        if (modified != noIndex && work.iterations[node] > 0)
+            work.inputIsRead[modified] = !work.inputIsNeutral[modified];
+        if (work.switches[node] == Switch::On) {
+            work.forwards[port] = port;
+        } else if (modified != noIndex && !work.inputIsNeutral[modified]) {
+            work.forwards[port] = work.contentsOf(work.graph.inputs[modified]);
+        }
     }
 }
 
 }  // namespace
 
 void decideSkips(Compilation& work) {
+    if (work.graph.hasModifiers) {
+        work.forwards.assign(work.graph.formats.size(), noIndex);
+        work.nodeOfPort.assign(work.graph.formats.size(), noIndex);
+    }
     for (const Index node : work.graph.declarationOrder) {
         findNeutralInputs(work, node);
         work.switches[node] = switchOf(work, node);
         work.iterations[node] = iterationsOf(work, node);
         findReadInputs(work, node);
+        if (work.graph.hasModifiers) findForwards(work, node);
     }
     work.faults.throwIfErrors();
 }

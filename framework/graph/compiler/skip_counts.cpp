@@ -1,0 +1,42 @@
+// Phase: what each layer of skipping leaves out, counted from the finished plan.
+#include <algorithm>
+
+#include "graph/compiler/phases.h"
+
+namespace nephrite::graph {
+namespace {
+
+bool isKeepable(const Plan& plan, const PlannedPass& pass) {
+    const auto outputs = slice(plan.outputs, pass.outputs);
+    return !outputs.empty() && std::all_of(outputs.begin(), outputs.end(), [&](Index output) {
+        return plan.resources[output].kind == ResourceKind::Kept;
+    });
+}
+
+/// Compiled without an input, or for a parameter's value.
+bool isSpecialized(const Plan& plan, const PlannedPass& pass) {
+    if (plan.graph->nodes[pass.node].isSpecialized) return true;
+    for (const InputRead& read : slice(plan.inputs, pass.inputs)) {
+        if (read.resource == noIndex) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+void countSkips(Compilation& work) {
+    Plan& plan = work.plan;
+    const bool keeps = work.request.keep != Keep::Nothing;
+    for (Index node = 0; node < plan.nodes.size(); ++node) {
+        if (plan.graph->nodes[node].role != NodeRole::Pass) continue;
+        if (plan.nodes[node].state == NodeState::Culled) ++plan.skips.notNeeded;
+        if (plan.nodes[node].state == NodeState::Skipped) ++plan.skips.neutral;
+    }
+    for (const PlannedPass& pass : plan.passes) {
+        if (keeps && isKeepable(plan, pass)) ++plan.skips.keepable;
+        if (pass.tileList != noIndex) ++plan.skips.tiled;
+        if (pass.iterations > 0 && isSpecialized(plan, pass)) ++plan.skips.specialized;
+    }
+}
+
+}  // namespace nephrite::graph
