@@ -55,14 +55,15 @@ TEST(CompileScale, AHundredThousandPassesInAChain) {
     const Plan plan = compile(chain(100000));
     EXPECT_EQ(plan.passes.size(), 100000U);
     // Each image: undefined -> written -> read; the last one: written -> copied.
-    EXPECT_EQ(plan.barriers.size(), 200000U);
+    EXPECT_EQ(plan.schedule.barriers.size(), 200000U);
     EXPECT_EQ(plan.peakLiveBytes, 2U * 64 * 64 * 8);
+    EXPECT_EQ(plan.heapBytes, plan.peakLiveBytes) << "each image takes the place of the one before the last";
     EXPECT_TRUE(findHazards(plan).empty());
 }
 
 TEST(CompileScale, AHundredThousandReadersOfOneImageShareOneBarrier) {
     const Plan plan = compile(fan(100000));
-    EXPECT_EQ(plan.barriers.size(), 2U + 2U * 100000U);
+    EXPECT_EQ(plan.schedule.barriers.size(), 2U + 2U * 100000U);
     EXPECT_TRUE(findHazards(plan).empty());
 }
 

@@ -46,6 +46,15 @@ TEST(Compile, SourcesRunBeforeReadersWhateverTheFileOrderAndTiesKeepIt) {
     EXPECT_EQ(whyOf(plan, "z"), "\"last\" reads it");
 }
 
+TEST(Compile, PassesRunByTheLengthOfTheLongestChainBeforeThem) {
+    const Plan plan = planOf(R"({"nodes": {
+        "a": {"pass": "source"}, "a1": {"pass": "filter", "in": {"a": "a.color"}}, "b": {"pass": "source"},
+        "a2": {"pass": "filter", "in": {"a": "a1.color"}}, "b1": {"pass": "blend", "in": {"a": "b.color", "b": "a.color"}},
+        "end": {"pass": "blend", "in": {"a": "b1.color", "b": "a2.color"}}}, "outputs": {"color": "end.color"}})");
+    EXPECT_THAT(passNames(plan), ElementsAre("a", "b", "a1", "b1", "a2", "end"));
+    EXPECT_EQ(plan.schedule.batchCount, 5U) << "one for each of four levels, and one for the copy";
+}
+
 TEST(Compile, CullingANodeDoesNotReorderTheOthers) {
     const Plan plan = planOf(R"({"nodes": {
         "dead": {"pass": "source"}, "c": {"pass": "blend", "in": {"a": "b.color", "b": "a.color"}},
@@ -123,7 +132,7 @@ TEST(Compile, WhenSwitchesANodeOffAndItsReadersGetItsNeutralValue) {
     EXPECT_EQ(stateOf(plan, "s"), NodeState::Skipped);
     EXPECT_EQ(whyOf(plan, "s"), "its \"when\" is false: graph.on");
     EXPECT_EQ(inputOf(plan, "c", "b").resource, noIndex);
-    EXPECT_THAT(inputOf(plan, "c", "b").neutral, ElementsAre(1, 2, 3, 4));
+    EXPECT_THAT(neutralOf(plan, "c", "b"), ElementsAre(1, 2, 3, 4));
     EXPECT_EQ(inputOf(plan, "c", "b").extent, (Extent{640, 480}));
 }
 
@@ -133,7 +142,7 @@ TEST(Compile, SkipWhenIsVisibleToReadersAsANeutralInputAndPropagates) {
         "f": {"pass": "follower", "in": {"a": "t.color"}}, "g": {"pass": "follower", "in": {"a": "f.color"}},
         "base": {"pass": "source"}, "c": {"pass": "blend", "in": {"a": "base.color", "b": "g.color"}}},
         "outputs": {"color": "c.color"}})";
-    EXPECT_THAT(passNames(planOf(graph)), ElementsAre("a", "t", "f", "g", "base", "c"));
+    EXPECT_THAT(passNames(planOf(graph)), ElementsAre("a", "base", "t", "f", "g", "c"));
 
     const Plan opaque = planOf(graph, opaqueScene());
     EXPECT_THAT(passNames(opaque), ElementsAre("base", "c"));
@@ -152,7 +161,7 @@ TEST(Compile, AnInputWhoseNeededWhenIsFalseIsNotReadAndItsSourceIsSkipped) {
     EXPECT_EQ(whyOf(plan, "s"),
               "no reader needs it: \"c\" needs its input \"b\" only when \"params.useB\", which is false");
     EXPECT_EQ(inputOf(plan, "c", "b").resource, noIndex);
-    EXPECT_THAT(inputOf(plan, "c", "b").neutral, ElementsAre(5, 6, 7, 8));
+    EXPECT_THAT(neutralOf(plan, "c", "b"), ElementsAre(5, 6, 7, 8));
     EXPECT_EQ(plan.resources[inputOf(plan, "c", "a").resource].node, nodeNamed(plan, "a"));
 }
 
@@ -170,7 +179,7 @@ TEST(Compile, AnUnconnectedInputReadsItsOwnNeutralValue) {
         planOf(R"({"nodes": {"a": {"pass": "source"}, "c": {"pass": "blend", "in": {"a": "a.color"}}},
         "outputs": {"color": "c.color"}})");
     EXPECT_EQ(inputOf(plan, "c", "b").resource, noIndex);
-    EXPECT_THAT(inputOf(plan, "c", "b").neutral, ElementsAre(5, 6, 7, 8));
+    EXPECT_THAT(neutralOf(plan, "c", "b"), ElementsAre(5, 6, 7, 8));
 }
 
 TEST(Compile, NoSkipRunsWhatConditionsWouldSkipExceptTheAuthorsWhen) {
@@ -201,7 +210,7 @@ TEST(Compile, ARequestedOutputOfASkippedNodeIsOnlyCleared) {
     EXPECT_EQ(resourceNamed(plan, "t.color").uses, bit(Use::Clear) | bit(Use::Copy));
     EXPECT_EQ(inputOf(plan, "t", "a").resource, noIndex);
     EXPECT_EQ(inputOf(plan, "c", "a").resource, noIndex);
-    EXPECT_THAT(inputOf(plan, "c", "a").neutral, ElementsAre(0, 0, 0, 1));
+    EXPECT_THAT(neutralOf(plan, "c", "a"), ElementsAre(0, 0, 0, 1));
 }
 
 TEST(Compile, ForEachRunsOnceALightViewAndGivesEachItsLayers) {
@@ -242,11 +251,13 @@ TEST(Compile, ForEachWithoutLightsIsClearedOnceAndReadsNothing) {
 TEST(Compile, ParametersOfPassesAreTheNodesOwnOrTheGraphs) {
     const Plan plan = planOf(R"({"parameters": {"n": {"value": 3}}, "nodes": {
         "s": {"pass": "shape", "set": {"scale": 0.5, "mips": "$n"}}}, "outputs": {"color": "s.color"}})");
-    const auto parameters = slice(plan.parameters, passNamed(plan, "s").parameters);
-    ASSERT_EQ(parameters.size(), 3U);
-    EXPECT_THAT(parameters[0].components, ElementsAre(0.5));
-    EXPECT_THAT(parameters[1].components, ElementsAre(3));
-    EXPECT_THAT(parameters[2].components, ElementsAre(1));
+    const auto value = [&](Index parameter) {
+        return plan.graph->valueOf(nodeNamed(plan, "s"), parameter, plan.graph->values).components;
+    };
+    EXPECT_THAT(value(0), ElementsAre(0.5));
+    EXPECT_THAT(value(1), ElementsAre(3));
+    EXPECT_THAT(value(2), ElementsAre(1));
+    EXPECT_EQ(resourceNamed(plan, "s.color").mips, 3U);
 }
 
 TEST(Compile, AConditionThatIsNotANumberIsAFault) {

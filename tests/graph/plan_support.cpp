@@ -43,16 +43,32 @@ PassLibrary planLibrary() {
     add("second-size",
         R"({"kind": "pixel", "shader": "s", "inputs": {"a": {"optional": true}, "b": {"optional": true}},
                            "outputs": {"color": {"size": {"like": "b"}}}})");
+    add("sink",
+        R"({"kind": "compute", "shader": "s", "inputs": {"a": {}}, "outputs": {}, "sideEffect": true})");
+    add("over", R"({"kind": "raster", "shader": "s", "inputs": {"base": {}, "a": {"optional": true}},
+                    "outputs": {"color": {"modifies": "base"}}})");
+    add("adjust", R"({"kind": "compute", "shader": "s", "inputs": {"base": {}, "a": {"optional": true}},
+                      "outputs": {"color": {"modifies": "base"}}})");
+    add("pyramid", R"({"kind": "compute", "shader": "s", "forEach": "mips", "inputs": {"a": {}},
+                       "outputs": {"color": {"mips": 0, "size": {"like": "a"}}}})");
     return library;
 }
 
-std::vector<std::string> inWords(const Plan& plan, Range range) {
+std::vector<std::string> inWords(const Plan& plan, Index batch) {
     std::vector<std::string> words;
-    for (const Barrier& barrier : slice(plan.barriers, range)) {
+    for (const Barrier& barrier : slice(plan.schedule.barriers, plan.schedule.batches[batch])) {
         words.push_back(fmt::format("{} {} {}", plan.nameOf(plan.resources[barrier.resource]),
                                     transitionInWords(plan, barrier), dependencyInWords(barrier)));
     }
     return words;
+}
+
+Index inputIndex(const Plan& plan, const PlannedPass& pass, std::string_view input) {
+    const auto& inputs = plan.typeOf(pass).inputs;
+    for (Index i = 0; i < inputs.size(); ++i) {
+        if (inputs[i].name == input) return i;
+    }
+    throw std::out_of_range(fmt::format("no input {}", input));
 }
 
 }  // namespace
@@ -113,11 +129,7 @@ const PlannedPass& passNamed(const Plan& plan, std::string_view node) {
 
 const InputRead& inputOf(const Plan& plan, std::string_view node, std::string_view input) {
     const PlannedPass& pass = passNamed(plan, node);
-    const auto& inputs = plan.typeOf(pass).inputs;
-    for (std::size_t i = 0; i < inputs.size(); ++i) {
-        if (inputs[i].name == input) return plan.inputs[pass.inputs.first + i];
-    }
-    throw std::out_of_range(fmt::format("no input {}", input));
+    return plan.inputs[pass.inputs.first + inputIndex(plan, pass, input)];
 }
 
 const Resource& resourceNamed(const Plan& plan, std::string_view name) {
@@ -127,12 +139,27 @@ const Resource& resourceNamed(const Plan& plan, std::string_view name) {
     return *found;
 }
 
-std::vector<std::string> barriersBefore(const Plan& plan, std::string_view node) {
-    return inWords(plan, passNamed(plan, node).barriers);
+std::array<double, 4> neutralOf(const Plan& plan, std::string_view node, std::string_view input) {
+    const PlannedPass& pass = passNamed(plan, node);
+    return graph::neutralOf(plan, pass, inputIndex(plan, pass, input));
+}
+
+std::vector<std::string> barriersBefore(const Plan& plan, std::string_view node, Index iteration) {
+    return inWords(plan, passNamed(plan, node).firstBatch + iteration);
 }
 
 std::vector<std::string> barriersAtEnd(const Plan& plan) {
-    return inWords(plan, plan.finalBarriers);
+    return inWords(plan, static_cast<Index>(plan.schedule.batches.size() - 1));
+}
+
+std::vector<std::string> barriersOf(const Plan& plan, std::string_view resource) {
+    std::vector<std::string> all;
+    for (Index batch = 0; batch < plan.schedule.batches.size(); ++batch) {
+        for (std::string& words : inWords(plan, batch)) {
+            if (words.starts_with(std::string(resource) + ' ')) all.push_back(std::move(words));
+        }
+    }
+    return all;
 }
 
 }  // namespace nephrite::graph::tests

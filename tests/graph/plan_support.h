@@ -1,6 +1,7 @@
 // Plans of small graphs written as JSON, and ways to ask about them by name.
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,8 +28,13 @@ const PlannedPass& passNamed(const Plan& plan, std::string_view node);
 const InputRead& inputOf(const Plan& plan, std::string_view node, std::string_view input);
 /// The resource "node.port"; throws std::out_of_range if there is none.
 const Resource& resourceNamed(const Plan& plan, std::string_view name);
-/// The batch before a pass, as the plan's words: "a.color undefined -> general, for compute write, ...".
-std::vector<std::string> barriersBefore(const Plan& plan, std::string_view node);
+/// The constant that the named input of a pass reads where there is no resource.
+std::array<double, 4> neutralOf(const Plan& plan, std::string_view node, std::string_view input);
+/// The batch before a pass, or before one level of a pass over mips, as the plan's words:
+/// "a.color undefined -> general for compute write, ...".
+std::vector<std::string> barriersBefore(const Plan& plan, std::string_view node, Index iteration = 0);
 std::vector<std::string> barriersAtEnd(const Plan& plan);
+/// Every barrier of one resource, in the order of their batches.
+std::vector<std::string> barriersOf(const Plan& plan, std::string_view resource);
 
 }  // namespace nephrite::graph::tests

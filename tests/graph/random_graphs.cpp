@@ -1,97 +1,167 @@
 // See random_graphs.h.
 #include "graph/random_graphs.h"
 
-#include <array>
-#include <random>
+#include <fmt/format.h>
 
-#include "graph/graph_builder.h"
-#include "graph/small_library.h"
+#include <algorithm>
+#include <array>
+#include <bit>
+
+#include "graph/random_nodes.h"
 
 namespace nephrite::graph::tests {
 namespace {
 
-class RandomGraph {
-  public:
-    RandomGraph(std::uint64_t seed, Index mostNodes) : random_(seed), nodeCount_(1 + below(mostNodes)) {}
+/// A linked graph and the pass types that it points to.
+struct Linked {
+    PassLibrary library;
+    std::shared_ptr<const LinkedGraph> graph;
+};
 
-    CompileRequest request() {
-        for (Index i = 0; i < nodeCount_; ++i) addNode();
-        for (Index i = 0; i < 1 + below(3); ++i) addOutput();
-        CompileRequest result;
-        result.graph = builder_.build();
-        result.view = {1 + below(64), 1 + below(64)};
-        result.facts.lightViews = below(3);
-        result.inputReads = oneIn(2) ? InputReads::StorageImage : InputReads::SampledImage;
-        result.skip = !oneIn(4);
-        return result;
+class RandomRequest {
+  public:
+    RandomRequest(std::uint64_t seed, Index mostNodes) : chance_(seed), seed_(seed), mostNodes_(mostNodes) {}
+
+    CompileRequest make() {
+        request_.view = {1 + chance_.below(64), 1 + chance_.below(64)};
+        request_.facts.lightViews = chance_.below(3);
+        request_.facts.translucentMaterials = chance_.below(2);
+        RandomNodes nodes(chance_, request_.facts.lightViews);
+        addImports(nodes);
+        const Index count = 1 + chance_.below(mostNodes_);
+        for (Index i = 0; i < count; ++i) nodes.add();
+        addHistory(nodes);
+        addRequests(nodes);
+        linkNodes(nodes);
+        chooseSettings();
+        return std::move(request_);
     }
 
   private:
-    std::uint32_t below(std::uint32_t bound) {
-        return std::uniform_int_distribution<std::uint32_t>(0, bound - 1)(random_);
+    void addImports(RandomNodes& nodes) {
+        static constexpr std::array layouts{Layout::General, Layout::ShaderRead, Layout::ColorAttachment,
+                                            Layout::TransferSource, Layout::TransferDestination};
+        static constexpr std::array pending{Uses{0}, bit(Use::ComputeRead), bit(Use::ColorAttachment),
+                                            bit(Use::ComputeWrite) | bit(Use::RasterRead)};
+        for (Index i = chance_.oneIn(2) ? 0 : 1 + chance_.below(2); i > 0; --i) {
+            ImportedImage image;
+            image.extent = {1 + chance_.below(40), 1 + chance_.below(40)};
+            if (chance_.oneIn(3)) image.mips = mostMips(image.extent);
+            if (chance_.oneIn(3)) image.layers = 1 + chance_.below(3);
+            image.initial = chance_.oneOf(layouts);
+            image.usesBefore = chance_.oneOf(pending);
+            if (chance_.oneIn(2)) image.final = chance_.oneOf(layouts);
+            nodes.addImport(image);
+            request_.imports.push_back(image);
+        }
     }
-    bool oneIn(std::uint32_t count) { return below(count) == 0; }
 
-    PassType randomType() {
-        static constexpr std::array kinds{PassKind::Pixel, PassKind::Compute, PassKind::Raster,
-                                          PassKind::Native};
-        PassType type = passType("t", kinds[below(kinds.size())], below(4), 1 + below(3));
-        const bool isRaster = type.kind == PassKind::Raster;
-        for (OutputPort& output : type.outputs) {
-            if (!isRaster && oneIn(4)) {
-                output.bufferElement = "vec4";
-                output.bufferCount = Expression::constant(below(4));
-            } else if (!isRaster && oneIn(4)) {
-                output.mips = Expression::constant(0);
-                output.layers = Expression::constant(1 + below(3));
+    /// Inputs that read earlier frames, also of later nodes and of their own.
+    void addHistory(RandomNodes& nodes) {
+        if (chance_.oneIn(2)) return;
+        for (Index i = 1 + chance_.below(3); i > 0; --i) nodes.addPrevious(1 + chance_.below(3));
+    }
+
+    void addRequests(RandomNodes& nodes) {
+        for (Index i = 1 + chance_.below(3); i > 0; --i) {
+            const PortReference port = nodes.askFor();
+            if (nodes.description.outputs.empty() || chance_.oneIn(2)) {
+                nodes.description.outputs.emplace_back(fmt::format("output{}", i), port);
+            } else {
+                request_.dumps.push_back(port);
             }
         }
-        if (isRaster && oneIn(2)) type.outputs.back().format = Format::d32f;
-        if (oneIn(8)) type.skipWhen = Expression::constant(oneIn(2) ? 1 : 0);
-        if (!type.inputs.empty() && oneIn(6)) type.skipWhen = expression("inputs.in0.neutral");
-        for (InputPort& input : type.inputs) {
-            if (oneIn(4)) input.neededWhen = Expression::constant(oneIn(2) ? 1 : 0);
+    }
+
+    void linkNodes(RandomNodes& nodes) {
+        const auto linked = std::make_shared<Linked>();
+        for (PassType& type : nodes.types) linked->library.add(std::move(type));
+        // The file's order says nothing: sources may stand after their readers.
+        if (chance_.oneIn(2)) {
+            auto& all = nodes.description.nodes;
+            for (std::size_t i = all.size(); i > 1; --i)
+                std::swap(all[i - 1], all[chance_.below(static_cast<std::uint32_t>(i))]);
         }
-        type.sideEffect = oneIn(15);
-        return type;
+        linked->graph = link(std::move(nodes.description), linked->library);
+        request_.graph = {linked, linked->graph.get()};
     }
 
-    void addNode() {
-        const PassType& type = builder_.addType(randomType());
-        std::vector<LinkedInput> sources;
-        for (std::size_t i = 0; i < type.inputs.size(); ++i) {
-            sources.push_back(types_.empty() || oneIn(6) ? LinkedInput{} : randomPort());
+    void chooseSettings() {
+        request_.inputReads = chance_.oneIn(2) ? InputReads::StorageImage : InputReads::SampledImage;
+        request_.skip = !chance_.oneIn(4);
+        request_.policy = chance_.oneIn(3) ? Policy::Memory : Policy::Barriers;
+        request_.keep = static_cast<Keep>(chance_.below(3));
+        if (chance_.oneIn(2)) {
+            for (std::size_t i = 0; i < request_.graph->nodes.size(); ++i)
+                request_.dependsOn.push_back(chance_.below(64) & chance_.below(64));
         }
-        NodeDescription description;
-        description.forEachLight = oneIn(4);
-        if (oneIn(10)) description.view = ViewKind::Light;
-        if (oneIn(10)) description.when = Expression::constant(oneIn(2) ? 1 : 0);
-        builder_.addNode(type, sources, description);
-        types_.push_back(&type);
+        if (chance_.oneIn(2)) request_.memory = randomNeeds(seed_);
     }
 
-    /// Mostly a port of a node added lately, so that graphs are deep and not only wide.
-    LinkedInput randomPort() {
-        const auto count = static_cast<Index>(types_.size());
-        const Index node = oneIn(3) ? below(count) : count - 1 - below(std::min<Index>(count, 3));
-        return {node, below(static_cast<Index>(types_[node]->outputs.size()))};
+    /// Alignments from 16 bytes to 64 KiB, the same for the same resource.
+    static std::function<MemoryNeed(const Resource&)> randomNeeds(std::uint64_t seed) {
+        return [seed](const Resource& resource) {
+            const std::uint64_t mixed = (seed + resource.node * 7 + resource.port) * 0x9e3779b97f4a7c15U;
+            const std::uint64_t alignment = std::uint64_t{16} << (mixed >> 40) % 13;
+            return MemoryNeed{(resource.bytes + alignment - 1) / alignment * alignment, alignment};
+        };
     }
 
-    void addOutput() {
-        const LinkedInput port = randomPort();
-        builder_.addOutput(port.sourceNode, port.sourcePort);
-    }
-
-    std::mt19937_64 random_;
-    Index nodeCount_;
-    GraphBuilder builder_;
-    std::vector<const PassType*> types_;
+    Chance chance_;
+    std::uint64_t seed_;
+    Index mostNodes_;
+    CompileRequest request_;
 };
+
+/// Whether a later frame finds all that the pass wrote and anybody reads.
+bool isKept(const Plan& plan, const PlannedPass& pass) {
+    const auto outputs = slice(plan.outputs, pass.outputs);
+    return std::all_of(outputs.begin(), outputs.end(), [&](Index output) {
+        if (output == noIndex) return true;
+        const Resource& resource = plan.resources[output];
+        const bool isUnread = resource.first == resource.last && !resource.requested;
+        return resource.kind == ResourceKind::Kept || (resource.kind == ResourceKind::Transient && isUnread);
+    });
+}
 
 }  // namespace
 
 CompileRequest randomRequest(std::uint64_t seed, Index mostNodes) {
-    return RandomGraph(seed, mostNodes).request();
+    return RandomRequest(seed, mostNodes).make();
+}
+
+std::vector<std::uint8_t> randomRuns(const Plan& plan, std::uint64_t seed) {
+    Chance chance(seed);
+    std::vector<std::uint8_t> runs(plan.passes.size(), 1);
+    std::vector<std::uint8_t> isWritten(plan.resources.size(), 0);  // by a pass that runs
+    const auto note = [&](std::size_t pass) {
+        for (const Index output : slice(plan.outputs, plan.passes[pass].outputs)) {
+            if (output != noIndex) isWritten[output] = 1;
+        }
+    };
+    const auto sharesWriter = [&](std::size_t pass) {
+        const auto outputs = slice(plan.outputs, plan.passes[pass].outputs);
+        return std::any_of(outputs.begin(), outputs.end(),
+                           [&](Index output) { return output != noIndex && isWritten[output] != 0; });
+    };
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        const PlannedPass& pass = plan.passes[i];
+        if (!pass.outputs.count || !isKept(plan, pass) || chance.oneIn(2)) {
+            note(i);
+        } else {
+            runs[i] = 0;
+        }
+    }
+    for (bool changed = true; changed;) {
+        changed = false;
+        for (std::size_t i = 0; i < runs.size(); ++i) {
+            if (runs[i] != 0 || !sharesWriter(i)) continue;
+            runs[i] = 1;
+            note(i);
+            changed = true;
+        }
+    }
+    return runs;
 }
 
 }  // namespace nephrite::graph::tests
