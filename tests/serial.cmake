@@ -1,2 +1,3 @@
 # Tests that measure time run alone.
-set_tests_properties(Profile.EqualHeavyRasterPassesReadEqual Profile.PassesRecordingAndWaitingAreTheWallTime PROPERTIES RUN_SERIAL TRUE)
+set_tests_properties(Profile.EqualHeavyRasterPassesReadEqual Profile.PassesRecordingAndWaitingAreTheWallTime
+                     SkippingCost.ATenthOfTheScreenPaysAtMostAFifth SkippingCost.AnOpaqueSceneDoesNotPayForScattering PROPERTIES RUN_SERIAL TRUE)

@@ -18,7 +18,10 @@ std::string describe(const BufferDescription& description) {
                                     : fmt::format("the buffer {}", description.name);
 }
 
-void checkRange(const Device& device, const BufferDescription& description) {
+/// Throws RunError if the description is empty or beyond what the device allows.
+void requireUsable(const Device& device, const BufferDescription& description) {
+    if (description.size == 0)
+        throw RunError(fmt::format("{} needs at least one byte", describe(description)));
     const auto refuseAbove = [&](VkBufferUsageFlags usage, std::uint32_t limit, std::string_view kind) {
         if ((description.usage & usage) == 0 || description.size <= limit) return;
         throw RunError(fmt::format("{} has {} bytes, more than the {} this device allows a {} buffer",
@@ -26,6 +29,17 @@ void checkRange(const Device& device, const BufferDescription& description) {
     };
     refuseAbove(VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, device.limits().maxStorageBufferRange, "storage");
     refuseAbove(VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, device.limits().maxUniformBufferRange, "uniform");
+}
+
+VkBufferCreateInfo createInfo(const BufferDescription& description) {
+    VkBufferCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO;
+    info.size = description.size;
+    info.usage = description.usage;
+    if (description.residence == Residence::Device)
+        info.usage |= VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT;
+    info.sharingMode = VK_SHARING_MODE_EXCLUSIVE;
+    return info;
 }
 
 void recordCopy(VkCommandBuffer commands, const Buffer& from, const Buffer& to, VkDeviceSize bytes,
@@ -38,28 +52,44 @@ void recordCopy(VkCommandBuffer commands, const Buffer& from, const Buffer& to, 
 
 }  // namespace
 
+MemoryNeeds memoryNeeds(const Device& device, const BufferDescription& description) {
+    requireUsable(device, description);
+    const VkBufferCreateInfo info = createInfo(description);
+    VkDeviceBufferMemoryRequirements request{};
+    request.sType = VK_STRUCTURE_TYPE_DEVICE_BUFFER_MEMORY_REQUIREMENTS;
+    request.pCreateInfo = &info;
+    NeedsQuery query;
+    vkGetDeviceBufferMemoryRequirements(device.handle(), &request, query.chain());
+    return query.answer(device);
+}
+
 Buffer::Buffer(const Device& device, const BufferDescription& description) : size_(description.size) {
-    if (description.size == 0)
-        throw RunError(fmt::format("{} needs at least one byte", describe(description)));
-    checkRange(device, description);
-    VkBufferCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO;
-    info.size = description.size;
-    info.usage = description.usage;
-    if (description.residence == Residence::Device)
-        info.usage |= VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT;
-    info.sharingMode = VK_SHARING_MODE_EXCLUSIVE;
+    create(device, description);
+    VkMemoryRequirements requirements{};
+    vkGetBufferMemoryRequirements(device.handle(), handle(), &requirements);
+    VkMemoryDedicatedAllocateInfo dedicated{};
+    dedicated.sType = VK_STRUCTURE_TYPE_MEMORY_DEDICATED_ALLOCATE_INFO;
+    dedicated.buffer = handle();
+    memory_ = Memory(device, requirements, description.residence, &dedicated, describe(description));
+    check(vkBindBufferMemory(device.handle(), handle(), memory_.handle(), 0),
+          "cannot bind a buffer's memory");
+}
+
+Buffer::Buffer(const Device& device, const BufferDescription& description, const Memory& memory,
+               VkDeviceSize offset)
+    : size_(description.size) {
+    create(device, description);
+    check(vkBindBufferMemory(device.handle(), handle(), memory.handle(), offset),
+          fmt::format("cannot bind {} to shared memory", describe(description)));
+}
+
+void Buffer::create(const Device& device, const BufferDescription& description) {
+    requireUsable(device, description);
+    const VkBufferCreateInfo info = createInfo(description);
     VkBuffer buffer = VK_NULL_HANDLE;
     check(vkCreateBuffer(device.handle(), &info, nullptr, &buffer),
           fmt::format("cannot create {}", describe(description)));
     buffer_ = {device.handle(), buffer};
-    VkMemoryRequirements requirements{};
-    vkGetBufferMemoryRequirements(device.handle(), buffer, &requirements);
-    VkMemoryDedicatedAllocateInfo dedicated{};
-    dedicated.sType = VK_STRUCTURE_TYPE_MEMORY_DEDICATED_ALLOCATE_INFO;
-    dedicated.buffer = buffer;
-    memory_ = Memory(device, requirements, description.residence, &dedicated, describe(description));
-    check(vkBindBufferMemory(device.handle(), buffer, memory_.handle(), 0), "cannot bind a buffer's memory");
     device.setName(VK_OBJECT_TYPE_BUFFER, buffer, description.name);
 }
 

@@ -1,4 +1,4 @@
-// Buffers with memory of their own.
+// Buffers in memory of their own or shared.
 #pragma once
 
 #include <vulkan/vulkan.h>
@@ -21,12 +21,19 @@ struct BufferDescription {
     std::string name = {};  ///< for validation messages; may be empty
 };
 
+/// What such a buffer would ask of shared memory; no buffer is made. Throws RunError as Buffer does.
+MemoryNeeds memoryNeeds(const Device& device, const BufferDescription& description);
+
 class Buffer {
   public:
     Buffer() = default;
     /// Throws RunError if the memory is not to be had or a uniform or storage buffer exceeds the device's
     /// range.
     Buffer(const Device& device, const BufferDescription& description);
+    /// The same in device memory that outlives the buffer, from byte `offset` on: a multiple of memoryNeeds'
+    /// alignment. Not mapped.
+    Buffer(const Device& device, const BufferDescription& description, const Memory& memory,
+           VkDeviceSize offset);
 
     VkBuffer handle() const { return buffer_.get(); }
     VkDeviceSize size() const { return size_; }
@@ -38,6 +45,8 @@ class Buffer {
     }
 
   private:
+    void create(const Device& device, const BufferDescription& description);
+
     Memory memory_;
     Handle<VkBuffer, vkDestroyBuffer> buffer_;
     VkDeviceSize size_ = 0;

@@ -32,6 +32,7 @@ Commands::Commands(const Device& device) : device_(device) {
 
 Commands::~Commands() {
     if (!submitted_) return;
+    // Returns on a lost device, too.
     const VkFence fence = fence_.get();
     vkWaitForFences(device_.handle(), 1, &fence, VK_TRUE, std::numeric_limits<std::uint64_t>::max());
 }
@@ -58,8 +59,9 @@ void Commands::wait() {
     if (!submitted_) return;
     submitted_ = false;
     const VkFence fence = fence_.get();
-    check(vkWaitForFences(device_.handle(), 1, &fence, VK_TRUE, std::numeric_limits<std::uint64_t>::max()),
-          "cannot wait for the device");
+    device_.check(
+        vkWaitForFences(device_.handle(), 1, &fence, VK_TRUE, std::numeric_limits<std::uint64_t>::max()),
+        "cannot wait for the device");
     check(vkResetFences(device_.handle(), 1, &fence), "cannot reset a fence");
 }
 

@@ -60,7 +60,8 @@ PhysicalDevice chooseDevice(const std::vector<PhysicalDevice>& devices, const st
 
 }  // namespace
 
-Device::Device(const DeviceOptions& options) : log_(std::make_unique<ValidationLog>()) {
+Device::Device(const DeviceOptions& options)
+    : log_(std::make_unique<ValidationLog>()), submitsLeft_(options.loseDeviceAtSubmit) {
     try {
         createInstance(options);
         choosePhysicalDevice(options.name);
@@ -110,12 +111,12 @@ void Device::createInstance(const DeviceOptions& options) {
     const VkResult created =
         createVulkanInstance(layers, extensions, validate ? &features : nullptr, &instance_);
     if (created == VK_ERROR_INCOMPATIBLE_DRIVER) throw RunError(std::string(noDriverMessage));
-    check(created, "cannot start Vulkan");
+    gpu::check(created, "cannot start Vulkan");
     if (!validate) return;
     const auto createMessenger = reinterpret_cast<PFN_vkCreateDebugUtilsMessengerEXT>(
         vkGetInstanceProcAddr(instance_, "vkCreateDebugUtilsMessengerEXT"));
-    check(createMessenger(instance_, &messengerInfo, nullptr, &messenger_),
-          "cannot listen to the validation layer");
+    gpu::check(createMessenger(instance_, &messengerInfo, nullptr, &messenger_),
+               "cannot listen to the validation layer");
     setObjectName_ = reinterpret_cast<PFN_vkSetDebugUtilsObjectNameEXT>(
         vkGetInstanceProcAddr(instance_, "vkSetDebugUtilsObjectNameEXT"));
 }
@@ -164,8 +165,8 @@ void Device::createDevice() {
     info.pNext = &enabled.features;
     info.queueCreateInfoCount = 1;
     info.pQueueCreateInfos = &queueInfo;
-    check(vkCreateDevice(physicalDevice_, &info, nullptr, &device_),
-          fmt::format("cannot open \"{}\"", deviceName_));
+    gpu::check(vkCreateDevice(physicalDevice_, &info, nullptr, &device_),
+               fmt::format("cannot open \"{}\"", deviceName_));
     vkGetDeviceQueue(device_, queueFamily_, 0, &queue_);
 }
 
@@ -188,7 +189,15 @@ void Device::submit(VkCommandBuffer commands, VkFence fence) const {
     info.commandBufferInfoCount = 1;
     info.pCommandBufferInfos = &commandInfo;
     const std::scoped_lock lock(queueMutex_);
-    check(vkQueueSubmit2(queue_, 1, &info, fence), "cannot submit commands");
+    const bool lost = submitsLeft_ && *submitsLeft_ == 0;
+    if (submitsLeft_ && !lost) --*submitsLeft_;
+    check(lost ? VK_ERROR_DEVICE_LOST : vkQueueSubmit2(queue_, 1, &info, fence), "cannot submit commands");
+}
+
+void Device::check(VkResult result, std::string_view what) const {
+    if (result != VK_ERROR_DEVICE_LOST) return gpu::check(result, what);
+    lost_ = true;
+    gpu::check(result, deviceName_ + ": error");
 }
 
 void Device::waitIdle() const {
@@ -211,7 +220,7 @@ void Device::setName(VkObjectType type, std::uint64_t object, const std::string&
     info.objectType = type;
     info.objectHandle = object;
     info.pObjectName = name.c_str();
-    check(setObjectName_(device_, &info), "cannot name a Vulkan object");
+    gpu::check(setObjectName_(device_, &info), "cannot name a Vulkan object");
 }
 
 }  // namespace nephrite::gpu

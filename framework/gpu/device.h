@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,6 +23,8 @@ enum class Validation : std::uint8_t { Off, Core, Sync };
 struct DeviceOptions {
     std::string name = {};  ///< a part of the device's name, any case; empty: the best there is
     Validation validation = Validation::Off;
+    /// The submissions that succeed before the device counts as lost: a fault to test what follows from it.
+    std::optional<std::uint32_t> loseDeviceAtSubmit = {};
 };
 
 struct DeviceSummary {
@@ -82,8 +85,14 @@ class Device {
     VkFormatFeatureFlags2 formatFeatures(VkFormat format) const;
 
     /// Submits one command buffer; `fence` is signalled when it is done. May be called from any thread.
+    /// Throws RunError if the device was lost.
     void submit(VkCommandBuffer commands, VkFence fence) const;
     void waitIdle() const;
+
+    /// As gpu::check; a lost device is named: `DEVICE: error: the device was lost ...`, and lost() from then
+    /// on.
+    void check(VkResult result, std::string_view what) const;
+    bool lost() const { return lost_; }
 
     /// Validation messages so far (warnings and errors); each was printed to stderr as it came.
     std::size_t validationMessages() const;
@@ -123,6 +132,9 @@ class Device {
     std::string driverName_;
     PFN_vkSetDebugUtilsObjectNameEXT setObjectName_ = nullptr;
     mutable std::mutex queueMutex_;
+    mutable std::optional<std::uint32_t>
+        submitsLeft_;  ///< until the device counts as lost; guarded by queueMutex_
+    mutable std::atomic<bool> lost_{false};
     mutable std::atomic<std::uint64_t> allocatedBytes_{0};
     mutable std::atomic<std::size_t> allocationCount_{0};
 };

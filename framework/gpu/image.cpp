@@ -17,8 +17,28 @@ std::string describe(const ImageDescription& description) {
                        description.width, description.height, description.layers);
 }
 
-/// Throws RunError naming what the device does not allow.
+VkImageCreateInfo createInfo(const ImageDescription& description) {
+    VkImageCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO;
+    info.imageType = VK_IMAGE_TYPE_2D;
+    info.format = description.format;
+    info.extent = {description.width, description.height, 1};
+    info.mipLevels = description.mips;
+    info.arrayLayers = description.layers;
+    info.samples = VK_SAMPLE_COUNT_1_BIT;
+    info.tiling = VK_IMAGE_TILING_OPTIMAL;
+    info.usage = description.usage;
+    info.sharingMode = VK_SHARING_MODE_EXCLUSIVE;
+    info.initialLayout = VK_IMAGE_LAYOUT_UNDEFINED;
+    return info;
+}
+
+/// Throws RunError naming what is wrong with the description, or what the device does not allow.
 void checkSupport(const Device& device, const ImageDescription& description) {
+    if (description.width == 0 || description.height == 0 || description.layers == 0 || description.mips == 0)
+        throw RunError(fmt::format("{} is empty", describe(description)));
+    if (description.mips > fullMipCount(description.width, description.height))
+        throw RunError(fmt::format("{} has no {} mip levels", describe(description), description.mips));
     VkPhysicalDeviceImageFormatInfo2 info{};
     info.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_IMAGE_FORMAT_INFO_2;
     info.format = description.format;
@@ -55,38 +75,45 @@ VkImageAspectFlags aspectOf(VkFormat format) {
                                                                            : VK_IMAGE_ASPECT_COLOR_BIT;
 }
 
+MemoryNeeds memoryNeeds(const Device& device, const ImageDescription& description) {
+    checkSupport(device, description);
+    const VkImageCreateInfo info = createInfo(description);
+    VkDeviceImageMemoryRequirements request{};
+    request.sType = VK_STRUCTURE_TYPE_DEVICE_IMAGE_MEMORY_REQUIREMENTS;
+    request.pCreateInfo = &info;
+    NeedsQuery query;
+    vkGetDeviceImageMemoryRequirements(device.handle(), &request, query.chain());
+    return query.answer(device);
+}
+
 Image::Image(const Device& device, const ImageDescription& description)
     : description_(description), aspect_(aspectOf(description.format)) {
-    if (description.width == 0 || description.height == 0 || description.layers == 0 || description.mips == 0)
-        throw RunError(fmt::format("{} is empty", describe(description)));
-    if (description.mips > fullMipCount(description.width, description.height)) {
-        throw RunError(fmt::format("{} has no {} mip levels", describe(description), description.mips));
-    }
-    checkSupport(device, description);
-    VkImageCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO;
-    info.imageType = VK_IMAGE_TYPE_2D;
-    info.format = description.format;
-    info.extent = {description.width, description.height, 1};
-    info.mipLevels = description.mips;
-    info.arrayLayers = description.layers;
-    info.samples = VK_SAMPLE_COUNT_1_BIT;
-    info.tiling = VK_IMAGE_TILING_OPTIMAL;
-    info.usage = description.usage;
-    info.sharingMode = VK_SHARING_MODE_EXCLUSIVE;
-    info.initialLayout = VK_IMAGE_LAYOUT_UNDEFINED;
-    VkImage image = VK_NULL_HANDLE;
-    check(vkCreateImage(device.handle(), &info, nullptr, &image),
-          fmt::format("cannot create {}", describe(description)));
-    image_ = {device.handle(), image};
+    create(device);
     VkMemoryRequirements requirements{};
-    vkGetImageMemoryRequirements(device.handle(), image, &requirements);
+    vkGetImageMemoryRequirements(device.handle(), handle(), &requirements);
     VkMemoryDedicatedAllocateInfo dedicated{};
     dedicated.sType = VK_STRUCTURE_TYPE_MEMORY_DEDICATED_ALLOCATE_INFO;
-    dedicated.image = image;
+    dedicated.image = handle();
     memory_ = Memory(device, requirements, Residence::Device, &dedicated, describe(description));
-    check(vkBindImageMemory(device.handle(), image, memory_.handle(), 0), "cannot bind an image's memory");
-    device.setName(VK_OBJECT_TYPE_IMAGE, image, description.name);
+    check(vkBindImageMemory(device.handle(), handle(), memory_.handle(), 0), "cannot bind an image's memory");
+}
+
+Image::Image(const Device& device, const ImageDescription& description, const Memory& memory,
+             VkDeviceSize offset)
+    : description_(description), aspect_(aspectOf(description.format)) {
+    create(device);
+    check(vkBindImageMemory(device.handle(), handle(), memory.handle(), offset),
+          fmt::format("cannot bind {} to shared memory", describe(description)));
+}
+
+void Image::create(const Device& device) {
+    checkSupport(device, description_);
+    const VkImageCreateInfo info = createInfo(description_);
+    VkImage image = VK_NULL_HANDLE;
+    check(vkCreateImage(device.handle(), &info, nullptr, &image),
+          fmt::format("cannot create {}", describe(description_)));
+    image_ = {device.handle(), image};
+    device.setName(VK_OBJECT_TYPE_IMAGE, image, description_.name);
 }
 
 VkExtent2D Image::extent(std::uint32_t mip) const {

@@ -1,4 +1,4 @@
-// Two-dimensional images, with mip levels and layers, with memory of their own, and their views.
+// Two-dimensional images, with mip levels and layers, in memory of their own or shared, and their views.
 #pragma once
 
 #include <vulkan/vulkan.h>
@@ -26,12 +26,20 @@ struct ImageDescription {
 /// Levels of a full chain down to 1x1.
 std::uint32_t fullMipCount(std::uint32_t width, std::uint32_t height);
 
+/// What such an image would ask of shared memory; no image is made. Throws RunError if the device cannot make
+/// it.
+MemoryNeeds memoryNeeds(const Device& device, const ImageDescription& description);
+
 class Image {
   public:
     Image() = default;
     /// The image starts in VK_IMAGE_LAYOUT_UNDEFINED. Throws RunError if the device cannot make such an image
     /// (it says whether size, layers or format is to blame) or has no memory for it.
     Image(const Device& device, const ImageDescription& description);
+    /// The same in memory that outlives the image, from byte `offset` on: a multiple of memoryNeeds'
+    /// alignment.
+    Image(const Device& device, const ImageDescription& description, const Memory& memory,
+          VkDeviceSize offset);
 
     VkImage handle() const { return image_.get(); }
     const ImageDescription& description() const { return description_; }
@@ -39,7 +47,7 @@ class Image {
     VkImageAspectFlags aspect() const { return aspect_; }
     VkExtent2D extent(std::uint32_t mip = 0) const;  ///< of a level, at least 1x1
     VkImageSubresourceRange wholeRange() const;
-    VkDeviceSize memoryBytes() const { return memory_.size(); }
+    VkDeviceSize memoryBytes() const { return memory_.size(); }  ///< of its own; 0 in shared memory
     explicit operator bool() const { return static_cast<bool>(image_); }
 
     /// Every level and layer, as 2D if the image has one layer and as 2D array otherwise.
@@ -50,6 +58,8 @@ class Image {
                      bool asArray) const;
 
   private:
+    void create(const Device& device);
+
     struct ViewKey {
         std::uint32_t baseMip, mips, baseLayer, layers;
         bool asArray;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <utility>
@@ -40,7 +41,28 @@ std::optional<std::uint32_t> memoryType(const Device& device, std::uint32_t allo
     return std::nullopt;
 }
 
+VkDeviceSize roundedUp(VkDeviceSize value, VkDeviceSize step) {
+    return (value + step - 1) / step * step;
+}
+
 }  // namespace
+
+NeedsQuery::NeedsQuery() {
+    dedicated_.sType = VK_STRUCTURE_TYPE_MEMORY_DEDICATED_REQUIREMENTS;
+    requirements_.sType = VK_STRUCTURE_TYPE_MEMORY_REQUIREMENTS_2;
+    requirements_.pNext = &dedicated_;
+}
+
+MemoryNeeds NeedsQuery::answer(const Device& device) const {
+    const VkMemoryRequirements& stated = requirements_.memoryRequirements;
+    const VkDeviceSize granularity = device.limits().bufferImageGranularity;
+    MemoryNeeds needs;
+    needs.alignment = std::max({stated.alignment, granularity, VkDeviceSize{1}});
+    needs.bytes = roundedUp(stated.size, std::max(granularity, VkDeviceSize{1}));
+    needs.types = stated.memoryTypeBits;
+    needs.alone = dedicated_.requiresDedicatedAllocation == VK_TRUE;
+    return needs;
+}
 
 Memory::Memory(const Device& device, const VkMemoryRequirements& requirements, Residence residence,
                const VkMemoryDedicatedAllocateInfo* dedicated, std::string_view what)

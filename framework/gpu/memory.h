@@ -19,6 +19,32 @@ enum class Residence : std::uint8_t {
                ///< memory
 };
 
+/// What an image or a buffer asks of memory that it shares with others. Sizes and alignments are whole
+/// multiples of the device's bufferImageGranularity, so images and buffers may lie side by side.
+struct MemoryNeeds {
+    VkDeviceSize bytes = 0;
+    VkDeviceSize alignment = 1;  ///< a power of two
+    std::uint32_t types = 0;     ///< bit i: memory type i will do
+    bool alone = false;          ///< the driver wants it to have memory of its own
+
+    VkMemoryRequirements requirements() const { return {bytes, alignment, types}; }
+};
+
+/// The needs a driver states, rounded up. Pass it to vkGetDeviceImageMemoryRequirements and its kin.
+class NeedsQuery {
+  public:
+    NeedsQuery();
+    NeedsQuery(const NeedsQuery&) = delete;  // the structures point at each other
+    NeedsQuery& operator=(const NeedsQuery&) = delete;
+
+    VkMemoryRequirements2* chain() { return &requirements_; }
+    MemoryNeeds answer(const Device& device) const;
+
+  private:
+    VkMemoryDedicatedRequirements dedicated_{};
+    VkMemoryRequirements2 requirements_{};
+};
+
 class Memory {
   public:
     Memory() = default;

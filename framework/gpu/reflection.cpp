@@ -123,6 +123,23 @@ bool ShaderReflection::uses(std::uint32_t set, std::uint32_t binding) const {
                        [&](const ShaderBinding& used) { return used.set == set && used.binding == binding; });
 }
 
+std::vector<ByteRange> usedMembers(std::span<const std::uint32_t> spirv, std::uint32_t set,
+                                   std::uint32_t binding) {
+    const Module module(spirv);
+    std::vector<ByteRange> members;
+    for (const spvc_reflected_resource& block :
+         module.list(module.usedResources(), SPVC_RESOURCE_TYPE_UNIFORM_BUFFER)) {
+        const ShaderBinding found = bindingOf(module, block, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER);
+        if (found.set != set || found.binding != binding) continue;
+        const spvc_buffer_range* first = nullptr;
+        std::size_t count = 0;
+        module.check(spvc_compiler_get_active_buffer_ranges(module.compiler(), block.id, &first, &count));
+        for (const spvc_buffer_range& range : std::span(first, count))
+            members.push_back({range.offset, range.range});
+    }
+    return members;
+}
+
 ShaderReflection reflect(std::span<const std::uint32_t> spirv) {
     const Module module(spirv);
     const spvc_resources resources = module.usedResources();

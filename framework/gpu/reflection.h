@@ -4,6 +4,7 @@
 #include <vulkan/vulkan.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -35,6 +36,16 @@ struct ShaderReflection {
 
     bool uses(std::uint32_t set, std::uint32_t binding) const;
 };
+
+/// Bytes of a uniform or storage block.
+struct ByteRange {
+    std::size_t offset = 0;
+    std::size_t bytes = 0;
+};
+/// The members of a uniform block that the entry point may read, whole members of the block, in no certain
+/// order; empty if it has no such block. Throws RunError if the module cannot be read.
+std::vector<ByteRange> usedMembers(std::span<const std::uint32_t> spirv, std::uint32_t set,
+                                   std::uint32_t binding);
 
 /// Throws RunError if the module cannot be read.
 ShaderReflection reflect(std::span<const std::uint32_t> spirv);

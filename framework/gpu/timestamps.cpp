@@ -40,7 +40,7 @@ void Timestamps::write(VkCommandBuffer commands, std::uint32_t index, VkPipeline
 std::vector<double> Timestamps::milliseconds(std::uint32_t count) const {
     if (!supported() || count == 0) return std::vector<double>(count, 0.0);
     std::vector<std::uint64_t> ticks(count);
-    check(
+    device_->check(
         vkGetQueryPoolResults(device_->handle(), pool_.get(), 0, count, ticks.size() * sizeof(std::uint64_t),
                               ticks.data(), sizeof(std::uint64_t), VK_QUERY_RESULT_64_BIT),
         "cannot read timestamps");

@@ -15,6 +15,10 @@
 namespace nephrite::gpu {
 namespace {
 
+constexpr Access copyWrite{VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT};
+constexpr Access anyUse{VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
+                        VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT};
+
 VkBufferImageCopy copyRegion(const Image& image, std::uint32_t mip, std::uint32_t layer,
                              VkDeviceSize offset) {
     const VkExtent2D extent = image.extent(mip);
@@ -122,17 +126,25 @@ void copyToBuffer(VkCommandBuffer commands, const Image& image, std::uint32_t mi
 }
 
 std::vector<std::byte> readImageBytes(const Device& device, const Image& image, std::uint32_t mip,
-                                      std::uint32_t layer) {
+                                      std::uint32_t layer, VkImageLayout layout) {
     const Buffer staging(
         device, {levelBytes(image, mip), VK_BUFFER_USAGE_TRANSFER_DST_BIT, Residence::Readback, "readback"});
-    runCommands(device,
-                [&](VkCommandBuffer commands) { copyToBuffer(commands, image, mip, layer, staging); });
+    const VkImageSubresourceRange range{image.aspect(), mip, 1, layer, 1};
+    const VkImageLayout source = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
+    constexpr Access copyRead{VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_READ_BIT};
+    runCommands(device, [&](VkCommandBuffer commands) {
+        if (layout != source)
+            BarrierBatch().image(image, range, anyUse, copyRead, layout, source).record(commands);
+        copyToBuffer(commands, image, mip, layer, staging);
+        if (layout != source)
+            BarrierBatch().image(image, range, copyRead, anyUse, source, layout).record(commands);
+    });
     return {staging.mapped().begin(), staging.mapped().end()};
 }
 
-std::vector<float> readImage(const Device& device, const Image& image, std::uint32_t mip,
-                             std::uint32_t layer) {
-    return decodeTexels(image.format(), readImageBytes(device, image, mip, layer));
+std::vector<float> readImage(const Device& device, const Image& image, std::uint32_t mip, std::uint32_t layer,
+                             VkImageLayout layout) {
+    return decodeTexels(image.format(), readImageBytes(device, image, mip, layer, layout));
 }
 
 void uploadImage(const Device& device, const Image& image, std::span<const float> texels, std::uint32_t layer,
@@ -144,9 +156,6 @@ void uploadImage(const Device& device, const Image& image, std::span<const float
         throw RunError(fmt::format("an image needs {} floats, {} were given", expected, texels.size()));
     const Staging staging = stage(device, image, {extent, channels, {texels.begin(), texels.end()}}, layer);
     const VkImageSubresourceRange range{image.aspect(), 0, image.description().mips, layer, 1};
-    constexpr Access copyWrite{VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT};
-    constexpr Access anyUse{VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
-                            VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT};
     runCommands(device, [&](VkCommandBuffer commands) {
         BarrierBatch()
             .image(image, range, anyUse, copyWrite, VK_IMAGE_LAYOUT_UNDEFINED,
@@ -159,6 +168,71 @@ void uploadImage(const Device& device, const Image& image, std::span<const float
             .image(image, range, copyWrite, anyUse, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, finalLayout)
             .record(commands);
     });
+}
+
+namespace {
+
+/// Copies tightly packed texels of the image's own format.
+void uploadPacked(const Device& device, const Image& image, std::span<const std::byte> bytes,
+                  VkImageLayout finalLayout) {
+    const Buffer staging(device,
+                         {bytes.size(), VK_BUFFER_USAGE_TRANSFER_SRC_BIT, Residence::Upload, "staging"});
+    std::copy(bytes.begin(), bytes.end(), staging.mapped().begin());
+    const VkImageLayout filled = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
+    runCommands(device, [&](VkCommandBuffer commands) {
+        BarrierBatch().image(image, anyUse, copyWrite, VK_IMAGE_LAYOUT_UNDEFINED, filled).record(commands);
+        const VkBufferImageCopy region = copyRegion(image, 0, 0, 0);
+        vkCmdCopyBufferToImage(commands, staging.handle(), image.handle(), filled, 1, &region);
+        BarrierBatch().image(image, copyWrite, anyUse, filled, finalLayout).record(commands);
+    });
+}
+
+VkImageBlit wholeBlit(const Image& image) {
+    const VkOffset3D end{static_cast<std::int32_t>(image.extent().width),
+                         static_cast<std::int32_t>(image.extent().height), 1};
+    VkImageBlit blit{};
+    blit.srcSubresource = blit.dstSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+    blit.srcOffsets[1] = blit.dstOffsets[1] = end;
+    return blit;
+}
+
+/// Copies texel by texel into another format. `from` is in TRANSFER_SRC_OPTIMAL.
+void convert(const Device& device, const Image& from, const Image& to, VkImageLayout finalLayout) {
+    if ((device.formatFeatures(to.format()) & VK_FORMAT_FEATURE_2_BLIT_DST_BIT) == 0)
+        throw RunError(fmt::format("{} cannot convert an image to the format of {}", device.deviceName(),
+                                   to.description().name));
+    constexpr Access blitWrite{VK_PIPELINE_STAGE_2_BLIT_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT};
+    const VkImageLayout filled = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
+    runCommands(device, [&](VkCommandBuffer commands) {
+        BarrierBatch().image(to, anyUse, blitWrite, VK_IMAGE_LAYOUT_UNDEFINED, filled).record(commands);
+        const VkImageBlit blit = wholeBlit(to);
+        vkCmdBlitImage(commands, from.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, to.handle(), filled, 1,
+                       &blit, VK_FILTER_NEAREST);
+        BarrierBatch().image(to, blitWrite, anyUse, filled, finalLayout).record(commands);
+    });
+}
+
+}  // namespace
+
+void uploadConverted(const Device& device, const Image& image, std::span<const float> texels,
+                     VkImageLayout finalLayout) {
+    const VkExtent2D extent = image.extent();
+    const std::size_t expected = std::size_t{extent.width} * extent.height * 4;
+    if (texels.size() != expected)
+        throw RunError(fmt::format("an image needs {} floats, {} were given", expected, texels.size()));
+    if (image.format() == VK_FORMAT_R32G32B32A32_SFLOAT)
+        return uploadPacked(device, image, std::as_bytes(texels), finalLayout);
+    if (image.format() == VK_FORMAT_R32_UINT) {
+        std::vector<std::uint32_t> words(texels.size() / 4);
+        for (std::size_t i = 0; i < words.size(); ++i)
+            words[i] = static_cast<std::uint32_t>(std::clamp(texels[4 * i], 0.0F, 4294967040.0F));
+        return uploadPacked(device, image, std::as_bytes(std::span(words)), finalLayout);
+    }
+    const Image exact(device,
+                      {VK_FORMAT_R32G32B32A32_SFLOAT, extent.width, extent.height, 1, 1,
+                       VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT, "exact texels"});
+    uploadPacked(device, exact, std::as_bytes(texels), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
+    convert(device, exact, image, finalLayout);
 }
 
 }  // namespace nephrite::gpu

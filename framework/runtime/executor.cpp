@@ -1,239 +1,178 @@
-// Recording and submitting the frames of a plan.
+// Deciding, recording and submitting the frames of a plan.
 #include "runtime/executor.h"
 
 #include <algorithm>
-#include <array>
-#include <chrono>
 
 #include "gpu/barriers.h"
-#include "runtime/vulkan_names.h"
+#include "runtime/scene_parts.h"
 
 namespace nephrite::runtime {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-double millisecondsSince(Clock::time_point start) {
-    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
-
-std::uint32_t groups(std::uint32_t count, std::uint32_t size) {
-    return (count + size - 1) / size;
-}
-
-/// As many groups in rows of what every device allows in one direction; the generated main() counts them
-/// through.
-void dispatchLinear(VkCommandBuffer commands, std::uint32_t count) {
-    constexpr std::uint32_t longestRow = 65535;
-    vkCmdDispatch(commands, std::min(count, longestRow), groups(count, longestRow), 1);
-}
-
-VkClearColorValue clearColor(const std::array<double, 4>& neutral, bool isUnsignedInteger) {
-    VkClearColorValue value{};
-    for (std::size_t i = 0; i < 4; ++i) {
-        if (isUnsignedInteger)
-            value.uint32[i] = static_cast<std::uint32_t>(std::max(neutral[i], 0.0));
-        else
-            value.float32[i] = static_cast<float>(neutral[i]);
-    }
-    return value;
-}
-
-/// What empty space is in the depth image: beyond everything, seen from where the kept surface is.
-float clearDepth(const graph::PassType& type) {
-    return type.raster.keep == graph::RasterState::Keep::Farthest ? 0.0F : 1.0F;
-}
-
-/// True if something after the pass itself looks at the resource.
-bool isReadLater(const graph::Resource& resource) {
-    const std::uint32_t written = 1U << static_cast<std::uint32_t>(graph::Use::ColorAttachment) |
-                                  1U << static_cast<std::uint32_t>(graph::Use::DepthAttachment);
-    return (resource.uses & ~written) != 0;
-}
-
-VkRenderingAttachmentInfo emptyAttachment() {
-    VkRenderingAttachmentInfo attachment{};
-    attachment.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO;
-    return attachment;
+double milliseconds(std::chrono::steady_clock::duration duration) {
+    return std::chrono::duration<double, std::milli>(duration).count();
 }
 
 }  // namespace
 
-Executor::Executor(const ProgramContext& context, const graph::Plan& plan, scene::GpuScene& scene,
-                   bool profile)
-    : device_(context.device),
-      plan_(plan),
+Executor::Executor(ProgramCache& programs, graph::Plan plan, const graph::ParameterValues& values,
+                   scene::GpuScene& scene, const ImportedImages& imports, HistoryStore& history,
+                   const ExecutorOptions& options)
+    : programs_(programs),
+      plan_(std::move(plan)),
       scene_(scene),
-      profile_(profile),
-      resources_(context.device, plan),
-      commands_(context.device),
-      timestamps_(context.device, static_cast<std::uint32_t>(plan.passes.size() + 1)),
-      recordMs_(plan.passes.size()) {
-    for (const graph::PlannedPass& pass : plan.passes)
-        programs_.push_back(
-            pass.iterations == 0 ? nullptr : std::make_unique<PassProgram>(context, plan, pass, resources_));
+      options_(options),
+      resources_(programs.context().device, plan_, imports, history),
+      descriptors_(programs.context().device),
+      bindings_(plan_.passes.size()),
+      recorder_(plan_, resources_, scene_, bindings_),
+      decisions_(plan_),
+      parameterVersions_(plan_.passes.size(), 1),
+      versions_(plan_.passes.size()),
+      recordMs_(plan_.passes.size()),
+      slots_(programs.context().device, options.framesInFlight,
+             static_cast<std::uint32_t>(plan_.passes.size() + 1)) {
+    makePrograms(values);
+}
+
+Executor::~Executor() = default;
+
+void Executor::makePrograms(const graph::ParameterValues& values) {
+    const ProgramContext& context = programs_.context();
+    std::vector<NodeInterface> interfaces(plan_.passes.size());
+    std::vector<std::size_t> words(plan_.passes.size(), 0);
+    for (std::size_t i = 0; i < plan_.passes.size(); ++i) {
+        if (plan_.passes[i].iterations == 0) continue;
+        interfaces[i] = nodeInterface(plan_, plan_.passes[i], values, context.filterable);
+        words[i] = interfaces[i].parameterWords.size();
+    }
+    parameters_ = std::make_unique<ParameterBlocks>(context.device, words, options_.framesInFlight);
+    bindingContext_ = std::make_unique<BindingContext>(
+        BindingContext{context, plan_, resources_, *parameters_, descriptors_, options_.framesInFlight});
+    for (std::size_t i = 0; i < plan_.passes.size(); ++i) {
+        if (plan_.passes[i].iterations == 0) continue;
+        parameters_->set(i, interfaces[i].parameterWords);
+        auto program = programs_.programOf(plan_, plan_.passes[i], interfaces[i]);
+        bindings_[i] =
+            std::make_unique<PassBindings>(*bindingContext_, i, std::move(interfaces[i]), std::move(program));
+    }
+    programs_.trim();
+}
+
+bool Executor::setParameters(const graph::ParameterValues& values) {
+    std::vector<std::pair<std::size_t, std::vector<std::uint32_t>>> changes;
+    for (std::size_t i = 0; i < plan_.passes.size(); ++i) {
+        if (!bindings_[i] || plan_.typeOf(plan_.passes[i]).parameters.empty()) continue;
+        NodeInterface interface =
+            nodeInterface(plan_, plan_.passes[i], values, programs_.context().filterable);
+        if (interface.specialization != bindings_[i]->interface().specialization) return false;
+        if (interface.parameterWords != bindings_[i]->interface().parameterWords)
+            changes.emplace_back(i, std::move(interface.parameterWords));
+    }
+    for (auto& [pass, words] : changes) {
+        parameters_->set(pass, words);
+        bindings_[pass]->replaceParameters(std::move(words));
+        ++parameterVersions_[pass];
+    }
+    return true;
 }
 
 FrameTimes Executor::renderFrame(double time) {
-    FrameTimes times;
-    const Clock::time_point start = Clock::now();
-    scene_.update(time, plan_.view.width, plan_.view.height);
-    record();
-    times.recordMs = millisecondsSince(start);
-    commands_.submit();
-    commands_.wait();
-    times.wallMs = millisecondsSince(start);
-
-    const std::vector<double> stamps =
-        timestamps_.milliseconds(static_cast<std::uint32_t>(plan_.passes.size() + 1));
-    times.waitMs = times.wallMs - times.recordMs - stamps.back();
-    for (std::size_t i = 0; i < plan_.passes.size(); ++i)
-        times.passes.push_back({stamps[i + 1] - stamps[i], recordMs_[i]});
-    return times;
+    const Frame frame = submitFrame(time);
+    waitForFrames();
+    return timesOf(frame);
 }
 
-void Executor::record() {
-    commands_.begin();
-    timestamps_.reset(commands_.handle());
-    writeTimestamp(0);
+void Executor::startFrame(double time) {
+    submitFrame(time);
+}
+
+void Executor::waitForFrames() {
+    slots_.waitForAll();
+}
+
+Executor::Frame Executor::submitFrame(double time) {
+    Frame frame;
+    frame.start = Clock::now();
+    frame.slot = slots_.next();
+    scene_.update(time, plan_.view.width, plan_.view.height, frame.slot);
+    resources_.nextFrame();
+    const std::span<const std::uint8_t> runs = decide();
+    frame.submitted = std::find(runs.begin(), runs.end(), 1) != runs.end();
+    if (frame.submitted) {
+        parameters_->write(frame.slot);
+        for (std::size_t i = 0; i < runs.size(); ++i)
+            if (runs[i] != 0 && bindings_[i]) bindings_[i]->prepare(*bindingContext_, frame.slot);
+        record(frame.slot, runs);
+    }
+    frame.recordMs = milliseconds(Clock::now() - frame.start);
+    if (frame.submitted) slots_.commands(frame.slot).submit();
+    return frame;
+}
+
+std::span<const std::uint8_t> Executor::decide() {
     for (std::size_t i = 0; i < plan_.passes.size(); ++i) {
+        const graph::SceneParts parts = bindings_[i] ? bindings_[i]->program().sceneParts : 0;
+        versions_[i] = parameterVersions_[i] + versionOf(scene_.versions(), parts);
+    }
+    runs_ = options_.reuse ? decisions_.decide(versions_) : decisions_.runAll(versions_);
+    return runs_;
+}
+
+const graph::BarrierSchedule& Executor::scheduleFor(std::span<const std::uint8_t> runs) {
+    if (std::find(runs.begin(), runs.end(), 0) == runs.end()) return plan_.schedule;
+    constexpr std::size_t most = 32;
+    const std::vector<bool> key(runs.begin(), runs.end());
+    const auto known = schedules_.find(key);
+    if (known != schedules_.end()) return known->second;
+    if (schedules_.size() >= most) schedules_.clear();
+    return schedules_.emplace(key, graph::scheduleBarriers(plan_, runs)).first->second;
+}
+
+void Executor::record(std::uint32_t slot, std::span<const std::uint8_t> runs) {
+    gpu::Commands& commands = slots_.commands(slot);
+    commands.begin();
+    slots_.timestamps(slot).reset(commands.handle());
+    recorder_.begin(commands.handle(), slot, scheduleFor(runs));
+    std::uint32_t stamp = 0;
+    writeTimestamp(slot, stamp++);
+    for (std::size_t i = 0; i < plan_.passes.size(); ++i) {
+        recordMs_[i] = 0;
+        if (runs[i] == 0) continue;
         const Clock::time_point start = Clock::now();
-        recordBarriers(plan_.passes[i].barriers);
-        recordPass(i);
-        writeTimestamp(i + 1);
-        recordMs_[i] = millisecondsSince(start);
+        recorder_.pass(static_cast<graph::Index>(i));
+        writeTimestamp(slot, stamp++);
+        recordMs_[i] = milliseconds(Clock::now() - start);
     }
-    recordBarriers(plan_.finalBarriers);
-    commands_.end();
+    recorder_.end();
+    commands.end();
 }
 
-void Executor::writeTimestamp(std::size_t index) {
-    timestamps_.write(commands_.handle(), static_cast<std::uint32_t>(index));
+void Executor::writeTimestamp(std::uint32_t slot, std::uint32_t index) {
+    const VkCommandBuffer commands = slots_.commands(slot).handle();
+    slots_.timestamps(slot).write(commands, index);
     // Without a barrier behind the timestamp a software driver books a draw's cost on a later pass.
-    if (profile_) gpu::fullBarrier(commands_.handle());
+    if (options_.profile) gpu::fullBarrier(commands);
 }
 
-void Executor::recordBarriers(graph::Range range) {
-    gpu::BarrierBatch batch;
-    for (const graph::Barrier& barrier : graph::slice(plan_.barriers, range)) {
-        gpu::Access before = writesOf(barrier.usesBefore);
-        if (!barrier.writeBefore) before.access = VK_ACCESS_2_NONE;
-        const gpu::Access after = accessOf(barrier.usesAfter);
-        if (plan_.resources[barrier.resource].isBuffer) {
-            batch.buffer(resources_.buffer(barrier.resource), before, after);
-            continue;
-        }
-        const gpu::Image& image = resources_.image(barrier.resource);
-        const VkImageSubresourceRange subresources{image.aspect(), barrier.baseMip, barrier.mips,
-                                                   barrier.baseLayer, barrier.layers};
-        batch.image(image, subresources, before, after, vulkanLayout(barrier.oldLayout),
-                    vulkanLayout(barrier.newLayout));
+FrameTimes Executor::timesOf(const Frame& frame) {
+    FrameTimes times;
+    times.wallMs = milliseconds(Clock::now() - frame.start);
+    times.recordMs = frame.recordMs;
+    times.passes.resize(plan_.passes.size());
+    const auto count = static_cast<std::uint32_t>(std::count(runs_.begin(), runs_.end(), 1));
+    std::vector<double> stamps(1, 0.0);
+    if (frame.submitted) stamps = slots_.timestamps(frame.slot).milliseconds(count + 1);
+    times.waitMs = times.wallMs - times.recordMs - stamps.back();
+    std::size_t stamp = 0;
+    for (std::size_t i = 0; i < times.passes.size(); ++i) {
+        times.passes[i].ran = runs_[i] != 0;
+        if (!times.passes[i].ran) continue;
+        times.passes[i].gpuMs = stamps[stamp + 1] - stamps[stamp];
+        times.passes[i].cpuMs = recordMs_[i];
+        ++stamp;
     }
-    batch.record(commands_.handle());
-}
-
-void Executor::recordPass(std::size_t index) {
-    const graph::PlannedPass& pass = plan_.passes[index];
-    if (pass.iterations == 0) return recordClears(pass);
-    const PassProgram& program = *programs_[index];
-    if (plan_.typeOf(pass).kind == graph::PassKind::Raster) return recordRaster(pass, program);
-    recordCompute(pass, program);
-}
-
-void Executor::recordClears(const graph::PlannedPass& pass) {
-    for (const graph::Index index : graph::slice(plan_.outputs, pass.outputs)) {
-        const graph::Resource& resource = plan_.resources[index];
-        if (resource.isBuffer) {
-            vkCmdFillBuffer(commands_.handle(), resources_.buffer(index).handle(), 0, VK_WHOLE_SIZE, 0);
-            continue;
-        }
-        const gpu::Image& image = resources_.image(index);
-        const VkImageSubresourceRange range = image.wholeRange();
-        const VkImageLayout layout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
-        if (graph::info(resource.format).isDepth) {
-            const VkClearDepthStencilValue value{clearDepth(plan_.typeOf(pass)), 0};
-            vkCmdClearDepthStencilImage(commands_.handle(), image.handle(), layout, &value, 1, &range);
-            continue;
-        }
-        const auto& neutral = plan_.typeOf(pass).outputs[resource.port].neutral;
-        const VkClearColorValue value = clearColor(neutral, graph::info(resource.format).isUnsignedInteger);
-        vkCmdClearColorImage(commands_.handle(), image.handle(), layout, &value, 1, &range);
-    }
-}
-
-void Executor::bind(const PassProgram& program) {
-    const VkPipelineBindPoint point = program.pipeline().bindPoint();
-    vkCmdBindPipeline(commands_.handle(), point, program.pipeline().handle());
-    const std::array sets{scene_.descriptorSet(), program.descriptorSet()};
-    vkCmdBindDescriptorSets(commands_.handle(), point, program.layout(), 0,
-                            static_cast<std::uint32_t>(sets.size()), sets.data(), 0, nullptr);
-}
-
-void Executor::push(const graph::PlannedPass& pass, const PassProgram& program, std::uint32_t iteration) {
-    const std::array<std::uint32_t, 4> values{iteration, pass.extent.width, pass.extent.height, 0};
-    vkCmdPushConstants(commands_.handle(), program.layout(), gpu::pushConstantStages, 0, sizeof(values),
-                       values.data());
-}
-
-void Executor::recordCompute(const graph::PlannedPass& pass, const PassProgram& program) {
-    bind(program);
-    const bool linear = plan_.resources[plan_.outputs[pass.outputs.first]].isBuffer;
-    for (std::uint32_t iteration = 0; iteration < pass.iterations; ++iteration) {
-        push(pass, program, iteration);
-        if (linear)
-            dispatchLinear(commands_.handle(), groups(pass.extent.width, 64));
-        else
-            vkCmdDispatch(commands_.handle(), groups(pass.extent.width, 8), groups(pass.extent.height, 8), 1);
-    }
-}
-
-void Executor::recordRaster(const graph::PlannedPass& pass, const PassProgram& program) {
-    bind(program);
-    const VkViewport viewport{
-        0, 0, static_cast<float>(pass.extent.width), static_cast<float>(pass.extent.height), 0, 1};
-    const VkRect2D scissor{{0, 0}, {pass.extent.width, pass.extent.height}};
-    vkCmdSetViewport(commands_.handle(), 0, 1, &viewport);
-    vkCmdSetScissor(commands_.handle(), 0, 1, &scissor);
-    for (std::uint32_t iteration = 0; iteration < pass.iterations; ++iteration)
-        recordRasterIteration(pass, program, iteration);
-}
-
-void Executor::recordRasterIteration(const graph::PlannedPass& pass, const PassProgram& program,
-                                     std::uint32_t iteration) {
-    std::vector<VkRenderingAttachmentInfo> colors;
-    VkRenderingAttachmentInfo depth = emptyAttachment();
-    for (const graph::Index index : graph::slice(plan_.outputs, pass.outputs)) {
-        const graph::Resource& resource = plan_.resources[index];
-        if (resource.isBuffer) continue;
-        const graph::FormatInfo& format = graph::info(resource.format);
-        VkRenderingAttachmentInfo attachment = emptyAttachment();
-        attachment.imageView =
-            resources_.image(index).view(0, 1, iteration * resource.layersPerIteration, 1, false);
-        attachment.loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR;
-        attachment.storeOp =
-            isReadLater(resource) ? VK_ATTACHMENT_STORE_OP_STORE : VK_ATTACHMENT_STORE_OP_DONT_CARE;
-        if (format.isDepth) {
-            attachment.imageLayout = VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL;
-            attachment.clearValue.depthStencil.depth = clearDepth(plan_.typeOf(pass));
-            depth = attachment;
-        } else {
-            attachment.imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
-            attachment.clearValue.color =
-                clearColor(plan_.typeOf(pass).outputs[resource.port].neutral, format.isUnsignedInteger);
-            colors.push_back(attachment);
-        }
-    }
-    VkRenderingInfo rendering{};
-    rendering.sType = VK_STRUCTURE_TYPE_RENDERING_INFO;
-    rendering.renderArea = {{0, 0}, {pass.extent.width, pass.extent.height}};
-    rendering.layerCount = 1;
-    rendering.colorAttachmentCount = static_cast<std::uint32_t>(colors.size());
-    rendering.pColorAttachments = colors.data();
-    rendering.pDepthAttachment = depth.imageView != VK_NULL_HANDLE ? &depth : nullptr;
-    vkCmdBeginRendering(commands_.handle(), &rendering);
-    push(pass, program, iteration);
-    scene_.draw(commands_.handle());
-    vkCmdEndRendering(commands_.handle());
+    return times;
 }
 
 }  // namespace nephrite::runtime

@@ -1,34 +1,135 @@
 // Creation of a plan's images and buffers.
 #include "runtime/frame_resources.h"
 
+#include <algorithm>
+#include <map>
+
+#include "gpu/barriers.h"
+#include "gpu/commands.h"
+#include "runtime/resource_descriptions.h"
 #include "runtime/vulkan_names.h"
 
 namespace nephrite::runtime {
 
-FrameResources::FrameResources(const gpu::Device& device, const graph::Plan& plan) {
-    images_.resize(plan.resources.size());
-    buffers_.resize(plan.resources.size());
-    for (std::size_t i = 0; i < plan.resources.size(); ++i) {
-        const graph::Resource& resource = plan.resources[i];
-        const std::string name = plan.nameOf(resource);
-        if (resource.isBuffer) {
-            buffers_[i] = gpu::Buffer(device, {resource.bytes, bufferUsage(), gpu::Residence::Device, name});
-            continue;
-        }
-        const VkImageUsageFlags usage = imageUsage(resource.uses, plan.inputReads, resource.format);
-        images_[i] =
-            gpu::Image(device, {vulkanFormat(resource.format), resource.extent.width, resource.extent.height,
-                                resource.mips, resource.layers, usage, name});
+using graph::Index;
+using graph::Resource;
+using graph::ResourceKind;
+
+FrameResources::FrameResources(const gpu::Device& device, const graph::Plan& plan,
+                               const ImportedImages& imports, HistoryStore& history)
+    : plan_(plan),
+      inHeap_(plan.resources.size(), 0),
+      places_(plan.resources.size()),
+      images_(plan.resources.size()),
+      buffers_(plan.resources.size()) {
+    findRings(device, history);
+    makeHeap(device);
+    for (Index i = 0; i < plan.resources.size(); ++i) make(device, i, imports);
+    settleLayouts(device);
+}
+
+/// The resources of one port in different frames share a ring, which is as long as the oldest needs.
+void FrameResources::findRings(const gpu::Device& device, HistoryStore& history) {
+    struct Port {
+        std::uint32_t length = 0;
+        std::uint32_t uses = 0;
+        std::vector<Index> resources;
+    };
+    std::map<std::pair<Index, Index>, Port> ports;
+    for (Index i = 0; i < plan_.resources.size(); ++i) {
+        const Resource& resource = plan_.resources[i];
+        if (resource.kind != ResourceKind::History) continue;
+        Port& port = ports[{resource.node, resource.port}];
+        port.length = std::max(port.length, resource.framesBack + 1U);
+        port.uses |= resource.uses;
+        port.resources.push_back(i);
+    }
+    for (const auto& [name, port] : ports) {
+        for (const Index resource : port.resources)
+            places_[resource].ring = static_cast<Index>(rings_.size());
+        rings_.push_back(history.ring(device, plan_, port.resources.front(), port.length, port.uses));
     }
 }
 
-VkImageView FrameResources::wholeView(graph::Index resource) const {
-    return images_[resource].view();
+/// One allocation for all Transient resources that some kind of memory suits. One that suits none of the
+/// kinds that suit those before it gets memory of its own.
+void FrameResources::makeHeap(const gpu::Device& device) {
+    gpu::MemoryNeeds heap;
+    heap.types = ~std::uint32_t{0};
+    for (Index i = 0; i < plan_.resources.size(); ++i) {
+        const Resource& resource = plan_.resources[i];
+        if (resource.kind != ResourceKind::Transient || resource.offset == Resource::noOffset) continue;
+        const gpu::MemoryNeeds needs =
+            resource.isBuffer ? gpu::memoryNeeds(device, bufferDescription(bufferBytes(plan_, resource)))
+                              : gpu::memoryNeeds(device, imageDescription(resource, plan_.inputReads));
+        if (needs.alone || (heap.types & needs.types) == 0) continue;
+        heap.types &= needs.types;
+        heap.alignment = std::max(heap.alignment, needs.alignment);
+        inHeap_[i] = 1;
+    }
+    heap.bytes = plan_.heapBytes;
+    if (heap.bytes == 0 || std::find(inHeap_.begin(), inHeap_.end(), 1) == inHeap_.end()) return;
+    heap_ = gpu::Memory(device, heap.requirements(), gpu::Residence::Device, nullptr,
+                        "the images and buffers of a frame");
 }
 
-VkImageView FrameResources::levelView(graph::Index resource, std::uint32_t mip) const {
-    const std::uint32_t layers = images_[resource].description().layers;
-    return images_[resource].view(mip, 1, 0, layers, layers > 1);
+void FrameResources::make(const gpu::Device& device, Index index, const ImportedImages& imports) {
+    const Resource& resource = plan_.resources[index];
+    if (places_[index].ring != graph::noIndex) return;
+    if (resource.kind == ResourceKind::Imported) {
+        places_[index].imported = &imports.at(plan_.graph->nodes[resource.node].import);
+        return;
+    }
+    const std::string name = plan_.nameOf(resource);
+    if (resource.isBuffer) {
+        const gpu::BufferDescription description = bufferDescription(bufferBytes(plan_, resource), name);
+        buffers_[index] = inHeap_[index] != 0 ? gpu::Buffer(device, description, heap_, resource.offset)
+                                              : gpu::Buffer(device, description);
+        return;
+    }
+    const gpu::ImageDescription description = imageDescription(resource, plan_.inputReads, name);
+    images_[index] = inHeap_[index] != 0 ? gpu::Image(device, description, heap_, resource.offset)
+                                         : gpu::Image(device, description);
+}
+
+/// Kept images start every frame, also the first, in the layout that the plan says.
+void FrameResources::settleLayouts(const gpu::Device& device) {
+    gpu::BarrierBatch batch;
+    for (Index i = 0; i < plan_.resources.size(); ++i) {
+        const Resource& resource = plan_.resources[i];
+        if (!images_[i] || resource.initial == graph::Layout::Undefined) continue;
+        batch.image(images_[i], {}, {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_READ_BIT},
+                    VK_IMAGE_LAYOUT_UNDEFINED, vulkanLayout(resource.initial));
+    }
+    if (batch.empty()) return;
+    gpu::runCommands(device, [&](VkCommandBuffer commands) { batch.record(commands); });
+}
+
+const gpu::Image& FrameResources::image(Index resource) const {
+    const Place& place = places_[resource];
+    if (place.imported != nullptr) return *place.imported;
+    if (place.ring == graph::noIndex) return images_[resource];
+    const HistoryRing& ring = *rings_[place.ring];
+    return ring.images[ring.at(plan_.resources[resource].framesBack)];
+}
+
+const gpu::Buffer& FrameResources::buffer(Index resource) const {
+    const Place& place = places_[resource];
+    if (place.ring == graph::noIndex) return buffers_[resource];
+    const HistoryRing& ring = *rings_[place.ring];
+    return ring.buffers[ring.at(plan_.resources[resource].framesBack)];
+}
+
+VkImageView FrameResources::view(Index resource, std::uint16_t mip, std::uint16_t layer) const {
+    const gpu::Image& image = this->image(resource);
+    const gpu::ImageDescription& whole = image.description();
+    const bool everyLayer = layer == graph::every;
+    return image.view(mip == graph::every ? 0 : mip, mip == graph::every ? whole.mips : 1,
+                      everyLayer ? 0 : layer, everyLayer ? whole.layers : 1, everyLayer && whole.layers > 1);
+}
+
+void FrameResources::nextFrame() {
+    for (const auto& ring : rings_) ring->rotate();
 }
 
 }  // namespace nephrite::runtime

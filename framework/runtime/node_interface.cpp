@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 
 #include "runtime/glsl_template.h"
@@ -39,6 +40,12 @@ void main() {
     if (p.x < dispatch.width && p.y < dispatch.height) pixel(ivec2(p));
 }
 )";
+
+// One group a tile; the list names them by their first texel.
+constexpr std::string_view tileOrigin = R"(
+    uint word = tileList.words[@FIRST@u + dispatch.layer * @TILES@u + gl_WorkGroupID.x];
+    uvec2 p = uvec2(word & 0xffffu, word >> 16) + gl_LocalInvocationID.xy;
+    if (p.x < dispatch.width && p.y < dispatch.height) )";
 
 constexpr std::string_view gridEntry = R"(
 void main() { compute(gl_GlobalInvocationID); }
@@ -132,16 +139,17 @@ std::string defaultLiteral(std::string_view scalar) {
 /// Builds one NodeInterface; each function adds a part of it.
 class Builder {
   public:
-    Builder(const Plan& plan, const PlannedPass& pass, const Filterable& filterable)
-        : plan_(plan), pass_(pass), type_(plan.typeOf(pass)), filterable_(filterable) {}
+    Builder(const Plan& plan, const PlannedPass& pass, const graph::ParameterValues& values,
+            const Filterable& filterable)
+        : plan_(plan), pass_(pass), type_(plan.typeOf(pass)), values_(values), filterable_(filterable) {}
 
     NodeInterface build() {
         addDispatch();
         addParameters();
-        const auto inputs = graph::slice(plan_.inputs, pass_.inputs);
-        for (std::size_t i = 0; i < inputs.size(); ++i) addInput(type_.inputs[i], inputs[i]);
-        const auto outputs = graph::slice(plan_.outputs, pass_.outputs);
-        for (std::size_t i = 0; i < outputs.size(); ++i) addOutput(type_.outputs[i].name, outputs[i]);
+        // An input that is modified reads what its output writes, so outputs are declared first.
+        for (graph::Index port = 0; port < pass_.outputs.count; ++port) addOutput(port);
+        for (graph::Index port = 0; port < pass_.inputs.count; ++port) addInput(port);
+        if (pass_.tileList != graph::noIndex) addTileList();
         addEntryPoint();
         result_.parameterWords = block_.padded();
         if (!result_.parameterWords.empty()) {
@@ -156,30 +164,32 @@ class Builder {
     }
 
   private:
-    bool isForEach() const { return plan_.graph->description.nodes[pass_.node].forEachLight; }
+    bool isOverLights() const { return pass_.forEach == graph::ForEach::Lights; }
+    bool isRaster() const { return type_.kind == graph::PassKind::Raster; }
+    const InputRead& read(graph::Index port) const { return plan_.inputs[pass_.inputs.first + port]; }
+    graph::Index output(graph::Index port) const { return plan_.outputs[pass_.outputs.first + port]; }
 
     void line(std::string text) { text_.append(std::move(text)).append("\n"); }
 
     void addDispatch() {
         line(
             "layout(push_constant) uniform Dispatch { uint iteration; uint width; uint height; uint "
-            "reserved; } dispatch;");
+            "layer; } dispatch;");
         line("uint iteration = dispatch.iteration;");
-        line(isForEach() ? "uint iterationLight = lightViews[dispatch.iteration].light;"
-                         : "const uint iterationLight = 0u;");
+        line(isOverLights() ? "uint iterationLight = lightViews[dispatch.iteration].light;"
+                            : "const uint iterationLight = 0u;");
     }
 
     void addParameters() {
         if (type_.parameters.empty()) return;
-        const auto values = graph::slice(plan_.parameters, pass_.parameters);
         std::string members;
         std::string constructor;
-        for (std::size_t i = 0; i < values.size(); ++i) {
+        for (graph::Index i = 0; i < type_.parameters.size(); ++i) {
             const graph::ParameterDeclaration& declaration = type_.parameters[i];
             const std::string glsl = glslType(declaration);
             members += fmt::format("{} {}; ", glsl, declaration.name);
-            constructor +=
-                fmt::format("{}{}({})", i == 0 ? "" : ", ", glsl, components(declaration, values[i]));
+            const graph::ParameterValue& value = plan_.graph->valueOf(pass_.node, i, values_);
+            constructor += fmt::format("{}{}({})", i == 0 ? "" : ", ", glsl, components(declaration, value));
         }
         line(fmt::format("struct Parameters {{ {}}};", members));
         line(fmt::format("Parameters params = Parameters({});", constructor));
@@ -208,26 +218,55 @@ class Builder {
         return constant;
     }
 
-    void addInput(const graph::InputPort& port, const InputRead& read) {
+    void addInput(graph::Index index) {
+        const graph::InputPort& port = type_.inputs[index];
+        const InputRead& read = this->read(index);
         line(fmt::format("bool connected_{}() {{ return {}; }}", port.name, read.resource != graph::noIndex));
-        if (read.resource == graph::noIndex) return addNeutralInput(port, read);
+        const graph::Index modifier = modifierOf(index);
+        if (modifier != graph::noIndex && !isRaster()) return addModifiedInput(port, modifier);
+        if (read.resource == graph::noIndex || read.modified) return addNeutralInput(port, index);
         const Resource& resource = plan_.resources[read.resource];
         if (resource.isBuffer) return addBuffer(port.name, port.bufferElement, read.resource, "readonly ");
         addImageInput(port.name, resource, read);
     }
 
-    void addNeutralInput(const graph::InputPort& port, const InputRead& read) {
-        const std::string& n = port.name;
+    /// The output that modifies an input, or none.
+    graph::Index modifierOf(graph::Index input) const {
+        for (graph::Index port = 0; port < type_.outputs.size(); ++port)
+            if (type_.outputs[port].modifiedInput == input) return port;
+        return graph::noIndex;
+    }
+
+    void addModifiedInput(const graph::InputPort& port, graph::Index modifier) {
+        const std::string& written = type_.outputs[modifier].name;
+        if (plan_.resources[output(modifier)].isBuffer)
+            return line(fmt::format("#define {} {}", port.name, written));
+        text_ +=
+            ImagePort(port.name, imageOfOutput(modifier), isOverLights()).modifiedInputFunctions(written);
+    }
+
+    /// What an output's port shows: of a modified input the same part.
+    PortImage imageOfOutput(graph::Index port) const {
+        const InputRead part = partOfOutput(port);
+        return PortImage::of(plan_.resources[output(port)], part.mip, part.layer);
+    }
+
+    InputRead partOfOutput(graph::Index port) const {
+        const graph::Index modified = type_.outputs[port].modifiedInput;
+        return modified != graph::noIndex && read(modified).modified ? read(modified) : InputRead{};
+    }
+
+    void addNeutralInput(const graph::InputPort& port, graph::Index index) {
         if (!port.bufferElement.empty()) return addNeutralBuffer(port);
         const bool isInteger = port.format && graph::info(*port.format).isUnsignedInteger;
-        const auto& v = read.neutral;
+        const auto v = neutralOf(plan_, pass_, index);
         const std::string value = fmt::format("{}, {}, {}, {}", floatLiteral(v[0]), floatLiteral(v[1]),
                                               floatLiteral(v[2]), floatLiteral(v[3]));
-        text_ += fillIn(neutralInput, {{"NAME", n},
+        text_ += fillIn(neutralInput, {{"NAME", port.name},
                                        {"VECTOR", isInteger ? "uvec4" : "vec4"},
                                        {"VALUE", value},
-                                       {"WIDTH", block_.append(read.extent.width, "int")},
-                                       {"HEIGHT", block_.append(read.extent.height, "int")}});
+                                       {"WIDTH", block_.append(read(index).extent.width, "int")},
+                                       {"HEIGHT", block_.append(read(index).extent.height, "int")}});
     }
 
     void addNeutralBuffer(const graph::InputPort& port) {
@@ -243,51 +282,96 @@ class Builder {
                          setIndex, binding, access, name, element, name));
     }
 
-    std::uint32_t addDescriptor(PortDescriptor::Kind kind, graph::Index resource, std::uint32_t mip = 0) {
+    std::uint32_t addDescriptor(PortDescriptor::Kind kind, graph::Index resource,
+                                std::uint16_t mip = graph::every, std::uint16_t layer = graph::every) {
         const std::uint32_t binding = nextBinding_++;
-        result_.descriptors.push_back({kind, binding, resource, mip});
+        result_.descriptors.push_back({kind, binding, resource, mip, layer});
         return binding;
     }
 
     void addImageInput(const std::string& name, const Resource& resource, const InputRead& read) {
-        const ImagePort port(name, resource, read.perIteration);
+        const PortImage image = PortImage::of(resource, read.mip, read.layer);
+        const ImagePort port(name, image, read.perIteration);
         const bool storage = plan_.inputReads == graph::InputReads::StorageImage &&
-                             !graph::info(resource.format).isDepth && resource.mips == 1;
+                             !graph::info(resource.format).isDepth && image.mips == 1;
+        const std::uint16_t level = read.mip == graph::every ? 0 : read.mip;
         if (storage)
-            text_ += port.readonlyImage(addDescriptor(PortDescriptor::Kind::StorageImage, read.resource));
-        text_ += port.sampler(addDescriptor(PortDescriptor::Kind::SampledImage, read.resource));
+            text_ += port.readonlyImage(
+                addDescriptor(PortDescriptor::Kind::StorageImage, read.resource, level, read.layer));
+        text_ += port.sampler(
+            addDescriptor(PortDescriptor::Kind::SampledImage, read.resource, read.mip, read.layer));
         text_ += port.inputFunctions(storage, filterable_(resource.format));
+        if (plan_.graph->nodes[pass_.node].role == graph::NodeRole::TileList)
+            line(fmt::format("const int domainChannel = {};", graph::info(resource.format).channels - 1));
     }
 
-    void addOutput(const std::string& name, graph::Index index) {
-        const Resource& resource = plan_.resources[index];
-        if (resource.isBuffer) return addBuffer(name, type_.outputs[resource.port].bufferElement, index, "");
-        const ImagePort port(name, resource, isForEach());
-        if (type_.kind == graph::PassKind::Raster) {
-            if (!graph::info(resource.format).isDepth) text_ += port.attachment(nextLocation_++);
-            text_ += port.attachmentFunctions();
+    void addOutput(graph::Index port) {
+        const Resource& resource = plan_.resources[output(port)];
+        const graph::OutputPort& declared = type_.outputs[port];
+        if (resource.isBuffer) return addBuffer(declared.name, declared.bufferElement, output(port), "");
+        const PortImage image = imageOfOutput(port);
+        const ImagePort functions(declared.name, image, isOverLights());
+        if (isRaster()) {
+            if (!graph::info(resource.format).isDepth) text_ += functions.attachment(nextLocation_++);
+            text_ += functions.attachmentFunctions();
             return;
         }
-        for (std::uint32_t mip = 0; mip < resource.mips; ++mip)
-            text_ += port.writeonlyImage(addDescriptor(PortDescriptor::Kind::StorageImage, index, mip), mip);
-        text_ += port.outputFunctions();
+        if (pass_.forEach == graph::ForEach::Mips) return addLevels(functions, output(port), image.mips);
+        const InputRead part = partOfOutput(port);
+        const OutputAccess access =
+            declared.modifiedInput == graph::noIndex ? OutputAccess::Write : OutputAccess::Modify;
+        for (std::uint32_t mip = 0; mip < image.mips; ++mip) {
+            const auto level = static_cast<std::uint16_t>(part.mip == graph::every ? mip : part.mip);
+            text_ += functions.outputImage(
+                addDescriptor(PortDescriptor::Kind::StorageImage, output(port), level, part.layer), mip,
+                access);
+        }
+        text_ += functions.outputFunctions(access);
+    }
+
+    /// The level that an iteration writes, and those above it.
+    void addLevels(const ImagePort& functions, graph::Index resource, std::uint32_t mips) {
+        text_ += functions.outputImage(addDescriptor(PortDescriptor::Kind::StorageImage, resource), 0,
+                                       OutputAccess::Mips);
+        result_.descriptors.back().level = PortDescriptor::Level::Iteration;
+        for (std::uint32_t mip = 0; mip + 1 < std::max(mips, 2U); ++mip) {
+            text_ += functions.levelAbove(
+                addDescriptor(PortDescriptor::Kind::StorageImage, resource, static_cast<std::uint16_t>(mip)),
+                mip);
+            result_.descriptors.back().level = PortDescriptor::Level::Above;
+        }
+        text_ += functions.outputFunctions(OutputAccess::Mips);
+    }
+
+    void addTileList() {
+        const std::uint32_t binding = addDescriptor(PortDescriptor::Kind::StorageBuffer, pass_.tileList);
+        line(fmt::format(
+            "layout(set = {}, binding = {}, std430) readonly buffer TileList {{ uint words[]; }} tileList;",
+            setIndex, binding));
     }
 
     void addEntryPoint() {
-        switch (type_.kind) {
-            case graph::PassKind::Pixel:
-                line("layout(local_size_x = 8, local_size_y = 8) in;");
-                result_.entryPoint = pixelEntry;
-                break;
-            case graph::PassKind::Raster:
-                addFragmentEntry();
-                break;
-            default:
-                line(firstOutputIsBuffer() ? "layout(local_size_x = 64) in;"
-                                           : "layout(local_size_x = 8, local_size_y = 8) in;");
-                result_.entryPoint = firstOutputIsBuffer() ? linearEntry : gridEntry;
-                break;
+        if (isRaster()) return addFragmentEntry();
+        const bool linear = firstOutputIsBuffer() && pass_.tileList == graph::noIndex;
+        line(linear ? "layout(local_size_x = 64) in;" : "layout(local_size_x = 8, local_size_y = 8) in;");
+        if (pass_.tileList != graph::noIndex) {
+            addTileEntry();
+        } else if (type_.kind == graph::PassKind::Pixel) {
+            result_.entryPoint = pixelEntry;
+        } else {
+            result_.entryPoint = linear ? linearEntry : gridEntry;
         }
+    }
+
+    void addTileEntry() {
+        const std::uint32_t layers = tileListLayers(plan_, pass_);
+        const std::uint32_t length = plan_.resources[pass_.tileList].extent.width;
+        const std::string call =
+            type_.kind == graph::PassKind::Pixel ? "pixel(ivec2(p))" : "compute(uvec3(p, 0u))";
+        result_.entryPoint = "void main() {" +
+                             fillIn(tileOrigin, {{"FIRST", std::to_string(4 * layers)},
+                                                 {"TILES", std::to_string(length / layers - 4)}}) +
+                             call + ";\n}\n";
     }
 
     bool firstOutputIsBuffer() const {
@@ -305,6 +389,7 @@ class Builder {
     const Plan& plan_;
     const PlannedPass& pass_;
     const graph::PassType& type_;
+    const graph::ParameterValues& values_;
     const Filterable& filterable_;
     ParameterBlock block_;
     std::string text_;
@@ -315,8 +400,21 @@ class Builder {
 
 }  // namespace
 
-NodeInterface nodeInterface(const Plan& plan, const PlannedPass& pass, const Filterable& filterable) {
-    return Builder(plan, pass, filterable).build();
+NodeInterface nodeInterface(const Plan& plan, const PlannedPass& pass, const graph::ParameterValues& values,
+                            const Filterable& filterable) {
+    return Builder(plan, pass, values, filterable).build();
+}
+
+std::uint32_t tileListLayers(const Plan& plan, const PlannedPass& pass) {
+    const std::uint32_t tiles = ((pass.extent.width + graph::tileSide - 1) / graph::tileSide) *
+                                ((pass.extent.height + graph::tileSide - 1) / graph::tileSide);
+    return plan.resources[pass.tileList].extent.width / (4 + tiles);
+}
+
+std::uint32_t tileLayer(const Plan& plan, const PlannedPass& pass, std::uint32_t iteration) {
+    const InputRead& domain = plan.inputs[pass.inputs.first + plan.typeOf(pass).domainInput];
+    if (!domain.perIteration || domain.resource == graph::noIndex) return 0;
+    return iteration * plan.resources[domain.resource].layersPerIteration;
 }
 
 }  // namespace nephrite::runtime

@@ -16,16 +16,26 @@ namespace nephrite::runtime {
 /// One descriptor of set 1.
 struct PortDescriptor {
     enum class Kind : std::uint8_t { ParameterBlock, StorageImage, SampledImage, StorageBuffer };
+    /// Which level, where the pass runs once a level. Images that a dispatch does not use must not be bound
+    /// to it.
+    enum class Level : std::uint8_t {
+        Fixed,      ///< `mip`
+        Iteration,  ///< the one the iteration writes
+        Above,      ///< `mip`, at most the one before the iteration's
+    };
     Kind kind = Kind::StorageImage;
     std::uint32_t binding = 0;
     graph::Index resource = graph::noIndex;  ///< none for the parameter block
-    std::uint32_t mip = 0;                   ///< a storage image shows one level, a sampled image every one
+    std::uint16_t mip = graph::every;        ///< the level it shows; a storage image always shows one
+    std::uint16_t layer = graph::every;      ///< the array layer it shows
+    Level level = Level::Fixed;
 };
 
 /// A parameter component that is a specialization constant; its id is its index in
 /// NodeInterface::specialization.
 struct SpecializedWord {
     std::uint32_t value = 0;  ///< bits as the shader's type has them
+    friend bool operator==(const SpecializedWord&, const SpecializedWord&) = default;
 };
 
 /// What a node's shader is compiled with.
@@ -40,9 +50,16 @@ struct NodeInterface {
 /// True if images of a format can be filtered linearly on the device.
 using Filterable = std::function<bool(graph::Format)>;
 
-/// The interface of one pass of a plan.
+/// The interface of one pass of a plan with these parameter values, which decide only `specialization` and
+/// `parameterWords`.
 NodeInterface nodeInterface(const graph::Plan& plan, const graph::PlannedPass& pass,
-                            const Filterable& filterable);
+                            const graph::ParameterValues& values, const Filterable& filterable);
+
+/// The tile list of a pass over tiles has one entry of indirect arguments (16 bytes each) for each layer of
+/// its domain.
+std::uint32_t tileListLayers(const graph::Plan& plan, const graph::PlannedPass& pass);
+/// The layer of the domain whose tiles an iteration computes.
+std::uint32_t tileLayer(const graph::Plan& plan, const graph::PlannedPass& pass, std::uint32_t iteration);
 
 /// Rewrites `load(PORT, ...)` and its kin to the generated function of that port, `load_PORT(...)`, line by
 /// line in place: GLSL has neither opaque values to pass a port by nor macros with a varying number of

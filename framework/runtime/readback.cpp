@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "gpu/transfer.h"
+#include "runtime/vulkan_names.h"
 
 namespace nephrite::runtime {
 namespace {
@@ -30,29 +31,44 @@ void place(image::Image& image, const std::vector<float>& texels, VkExtent2D ext
 
 }  // namespace
 
-image::Image readResource(const gpu::Device& device, const graph::Plan& plan, const FrameResources& resources,
-                          graph::Index index) {
-    const graph::Resource& resource = plan.resources[index];
+VkImageLayout layoutAfterFrame(const graph::Resource& resource) {
+    return resource.final == graph::Layout::Undefined ? VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL
+                                                      : vulkanLayout(resource.final);
+}
+
+graph::Subresources partOf(const graph::Plan& plan, const graph::RequestedOutput& output) {
+    graph::Subresources part = plan.resources[output.resource].whole();
+    if (output.mip != graph::every) part.baseMip = output.mip, part.mips = 1;
+    if (output.layer != graph::every) part.baseLayer = output.layer, part.layers = 1;
+    return part;
+}
+
+image::Image readOutput(const gpu::Device& device, const graph::Plan& plan, const FrameResources& resources,
+                        const graph::RequestedOutput& output) {
+    if (output.resource == graph::noIndex)
+        throw RunError(fmt::format("{}: error: nothing computes it in this graph and scene", output.name));
+    const graph::Resource& resource = plan.resources[output.resource];
     if (resource.isBuffer)
-        throw RunError(
-            fmt::format("{}: error: a buffer cannot be written as an image", plan.nameOf(resource)));
-    const gpu::Image& source = resources.image(index);
+        throw RunError(fmt::format("{}: error: a buffer cannot be written as an image", output.name));
+    const gpu::Image& source = resources.image(output.resource);
+    const graph::Subresources part = partOf(plan, output);
     const std::size_t channels = graph::info(resource.format).channels;
 
     image::Image result;
-    result.width = resource.extent.width;
-    result.height = resource.extent.height;
-    for (std::uint32_t layer = 0; layer < resource.layers; ++layer)
-        for (std::uint32_t mip = 0; mip < resource.mips; ++mip)
+    result.width = source.extent(part.baseMip).width;
+    result.height = source.extent(part.baseMip).height;
+    for (std::uint32_t layer = 0; layer < part.layers; ++layer)
+        for (std::uint32_t mip = 0; mip < part.mips; ++mip)
             for (std::size_t c = 0; c < channels; ++c)
                 result.channels.push_back(channelPrefix(mip, layer) + "RGBA"[c]);
     result.pixels.resize(std::size_t{result.width} * result.height * result.channels.size());
 
     std::size_t firstChannel = 0;
-    for (std::uint32_t layer = 0; layer < resource.layers; ++layer) {
-        for (std::uint32_t mip = 0; mip < resource.mips; ++mip) {
-            place(result, gpu::readImage(device, source, mip, layer), source.extent(mip), firstChannel,
-                  channels);
+    for (std::uint32_t layer = 0; layer < part.layers; ++layer) {
+        for (std::uint32_t mip = 0; mip < part.mips; ++mip) {
+            const auto texels = gpu::readImage(device, source, part.baseMip + mip, part.baseLayer + layer,
+                                               layoutAfterFrame(resource));
+            place(result, texels, source.extent(part.baseMip + mip), firstChannel, channels);
             firstChannel += channels;
         }
     }

@@ -6,9 +6,13 @@
 #include <optional>
 
 #include "gpu/device.h"
+#include "runtime/audit.h"
 #include "runtime/executor.h"
 #include "runtime/graph_loading.h"
+#include "runtime/imports.h"
+#include "runtime/plan_equality.h"
 #include "runtime/readback.h"
+#include "runtime/resource_descriptions.h"
 #include "scene/gpu_scene.h"
 
 namespace nephrite::runtime {
@@ -17,6 +21,7 @@ namespace {
 gpu::DeviceOptions deviceOptions(const SessionOptions& options) {
     gpu::DeviceOptions result;
     result.name = options.device;
+    result.loseDeviceAtSubmit = options.loseDeviceAtSubmit;
     switch (options.validation) {
         case Validation::Off:
             result.validation = gpu::Validation::Off;
@@ -31,59 +36,145 @@ gpu::DeviceOptions deviceOptions(const SessionOptions& options) {
     return result;
 }
 
-graph::Plan compilePlan(const SessionOptions& options, const LoadedGraph& loaded, const scene::Scene& scene,
-                        const gpu::Device& device) {
-    graph::CompileRequest request;
-    request.graph = loaded.graph;
-    request.facts = sceneFacts(scene.facts());
-    request.view = options.size;
-    for (const std::string& dump : options.dumps) request.dumps.push_back(dumpReference(dump));
-    request.inputReads = options.inputReads.value_or(inputReadsOn(device));
-    request.skip = options.skip;
-    request.maxExtent = device.maxImageExtent();
-    request.maxLayers = device.maxImageLayers();
-    return graph::compile(request);
+ProgramContext programContext(const gpu::Device& device, const gpu::ShaderCompiler& compiler,
+                              const gpu::PipelineCache& pipelineCache, VkDescriptorSetLayout sceneLayout,
+                              const gpu::Sampler& linear, const gpu::Sampler& nearest,
+                              const DataFolders& folders) {
+    return {device,          compiler,         pipelineCache,   sceneLayout,
+            linear.handle(), nearest.handle(), folders.shaders, filterableOn(device)};
 }
 
 }  // namespace
 
 /// In the order of construction; what comes later uses what comes before.
 struct Session::State {
-    explicit State(const SessionOptions& options)
-        : folders(DataFolders::find()),
+    explicit State(const SessionOptions& sessionOptions)
+        : options(sessionOptions),
+          folders(DataFolders::find()),
           loaded(loadGraph(options.graph, options.settings, folders, options.passPaths)),
           scene(loadScene(options.scene, options.time, folders)),
+          importFiles(readImports(loaded.graph->description)),
           device(deviceOptions(options)),
+          reads(options.inputReads.value_or(inputReadsOn(device))),
           compiler(gpu::DiskCache::standard()),
           pipelineCache(device, gpu::DiskCache::standard()),
-          descriptors(device),
           linearSampler(device, {}),
           nearestSampler(device, {VK_FILTER_NEAREST, VK_SAMPLER_MIPMAP_MODE_NEAREST}),
-          gpuScene(device, scene),
-          plan(compilePlan(options, loaded, scene, device)) {
+          gpuScene(device, scene, options.framesInFlight),
+          imports(uploadImports(device, loaded.graph->description, importFiles, reads)),
+          programs(programContext(device, compiler, pipelineCache, gpuScene.descriptorSetLayout(),
+                                  linearSampler, nearestSampler, folders)),
+          values(std::make_shared<graph::ParameterValues>(loaded.graph->values)) {
         for (const Diagnostic& warning : scene.warnings())
             diagnostics.warning(warning.where, warning.message);
-        if (options.omitBarrier) omitBarrier(*options.omitBarrier);
-        const ProgramContext context{device,
-                                     compiler,
-                                     pipelineCache,
-                                     descriptors,
-                                     gpuScene.descriptorSetLayout(),
-                                     linearSampler.handle(),
-                                     nearestSampler.handle(),
-                                     folders.shaders};
-        executor.emplace(context, plan, gpuScene, options.profile);
+        rebuild();
         checkValidation();
     }
 
-    /// Turns one barrier into one that orders nothing; the layout still changes.
-    void omitBarrier(std::uint32_t index) {
-        if (index >= plan.barriers.size())
+    graph::CompileRequest request() const {
+        graph::CompileRequest result;
+        result.graph = loaded.graph;
+        result.facts = sceneFacts(scene.facts());
+        result.view = options.size;
+        for (const std::string& dump : options.dumps) result.dumps.push_back(dumpReference(dump));
+        result.inputReads = reads;
+        result.skip = options.skip;
+        result.policy = options.policy;
+        result.plain = options.plain;
+        result.imports = importedImages(loaded.graph->description, importFiles, reads);
+        result.parameters = values;
+        result.memory = memoryNeedsOn(device, reads);
+        result.maxExtent = device.maxImageExtent();
+        result.maxLayers = device.maxImageLayers();
+        return result;
+    }
+
+    /// The plan to carry out. To keep the right results, what each shader reads of the scene must be known,
+    /// so a first plan tells which shaders there are.
+    graph::Plan makePlan() {
+        graph::CompileRequest asked = request();
+        graph::Plan plan = graph::compile(asked);
+        if (reuses()) {
+            asked.dependsOn = programs.scenePartsOf(plan, *values);
+            asked.keep = graph::Keep::AcrossRates;
+            plan = graph::compile(asked);
+        }
+        if (options.omitBarrier) omitBarrier(plan, *options.omitBarrier);
+        return plan;
+    }
+
+    bool reuses() const { return options.reuse && options.skip; }
+
+    /// Plans anew, with the values and the size as they are; if that fails, everything stays as it was.
+    void rebuild() {
+        if (executor) executor->waitForFrames();
+        programs.startBuild();
+        const ExecutorOptions how{options.framesInFlight, options.profile, reuses()};
+        auto next =
+            std::make_unique<Executor>(programs, makePlan(), *values, gpuScene, imports, history, how);
+        std::unique_ptr<Executor> nextPlain;
+        if (options.auditSkips) {
+            graph::CompileRequest asked = request();
+            asked.skip = false;
+            nextPlain =
+                std::make_unique<Executor>(programs, graph::compile(asked), *values, gpuScene, imports,
+                                           plainHistory, ExecutorOptions{options.framesInFlight});
+        }
+        executor = std::move(next);
+        plainExecutor = std::move(nextPlain);
+        history.dropUnused();
+        plainHistory.dropUnused();
+        ++plans;
+    }
+
+    FrameTimes renderFrame(double time) {
+        const FrameTimes times = executor->renderFrame(time);
+        if (plainExecutor) {
+            plainExecutor->renderFrame(time);
+            compareFrames(device, *executor, *plainExecutor);
+        }
+        checkValidation();
+        return times;
+    }
+
+    void set(const std::string& setting) {
+        std::shared_ptr<const graph::ParameterValues> before = values;
+        values =
+            std::make_shared<graph::ParameterValues>(graph::applySetting(*loaded.graph, *before, setting));
+        try {
+            if (!servesValues(*before)) rebuild();
+        } catch (...) {
+            values = std::move(before);
+            throw;
+        }
+    }
+
+    /// Hands the present values to what was made with those `before`. False if that has to be made anew: the
+    /// values decide the plan, and it comes out another, or they are compiled into shaders.
+    bool servesValues(const graph::ParameterValues& before) {
+        if (graph::changesPlan(*loaded.graph, before, *values) && !doTheSame(makePlan(), executor->plan()))
+            return false;
+        return executor->setParameters(*values) && (!plainExecutor || plainExecutor->setParameters(*values));
+    }
+
+    void resize(graph::Extent size) {
+        std::swap(options.size, size);
+        try {
+            rebuild();
+        } catch (...) {
+            options.size = size;
+            throw;
+        }
+    }
+
+    static void omitBarrier(graph::Plan& plan, std::uint32_t index) {
+        std::vector<graph::Barrier>& barriers = plan.schedule.barriers;
+        if (index >= barriers.size())
             throw InputError({"--omit-barrier"},
-                             fmt::format("the plan has {} barriers, found {}", plan.barriers.size(), index));
-        plan.barriers[index].usesBefore = 0;
-        plan.barriers[index].usesAfter = 0;
-        plan.barriers[index].writeBefore = false;
+                             fmt::format("the plan has {} barriers, found {}", barriers.size(), index));
+        barriers[index].usesBefore = 0;
+        barriers[index].usesAfter = 0;
+        barriers[index].writeBefore = false;
     }
 
     void checkValidation() const {
@@ -91,19 +182,27 @@ struct Session::State {
             throw RunError(fmt::format("{} validation message{}", count, count == 1 ? "" : "s"));
     }
 
+    SessionOptions options;
     Diagnostics diagnostics;
     DataFolders folders;
     LoadedGraph loaded;
     scene::Scene scene;
+    std::vector<image::Image> importFiles;
     gpu::Device device;
+    graph::InputReads reads;
     gpu::ShaderCompiler compiler;
     gpu::PipelineCache pipelineCache;
-    gpu::DescriptorAllocator descriptors;
     gpu::Sampler linearSampler;
     gpu::Sampler nearestSampler;
     scene::GpuScene gpuScene;
-    graph::Plan plan;
-    std::optional<Executor> executor;
+    ImportedImages imports;
+    ProgramCache programs;
+    std::shared_ptr<const graph::ParameterValues> values;
+    HistoryStore history;
+    HistoryStore plainHistory;
+    std::unique_ptr<Executor> executor;
+    std::unique_ptr<Executor> plainExecutor;  ///< of an audit
+    std::uint64_t plans = 0;
 };
 
 Session::Session(const SessionOptions& options) : state_(std::make_unique<State>(options)) {}
@@ -111,16 +210,36 @@ Session::~Session() = default;
 Session::Session(Session&&) noexcept = default;
 
 FrameTimes Session::renderFrame(double time) {
-    FrameTimes times = state_->executor->renderFrame(time);
+    return state_->renderFrame(time);
+}
+
+void Session::startFrame(double time) {
+    state_->executor->startFrame(time);
+}
+
+void Session::waitForFrames() {
+    state_->executor->waitForFrames();
     state_->checkValidation();
-    return times;
+}
+
+void Session::set(const std::string& setting) {
+    state_->set(setting);
+}
+
+void Session::resize(graph::Extent size) {
+    state_->resize(size);
+}
+
+void Session::setCamera(const scene::CameraDescription& camera) {
+    state_->gpuScene.setCamera(camera);
 }
 
 image::Image Session::read(const std::string& name) {
-    for (const graph::RequestedOutput& output : state_->plan.requested) {
+    state_->executor->waitForFrames();
+    const graph::Plan& plan = state_->executor->plan();
+    for (const graph::RequestedOutput& output : plan.requested) {
         if (output.name != name) continue;
-        image::Image image =
-            readResource(state_->device, state_->plan, state_->executor->resources(), output.resource);
+        image::Image image = readOutput(state_->device, plan, state_->executor->resources(), output);
         state_->checkValidation();
         return image;
     }
@@ -128,7 +247,10 @@ image::Image Session::read(const std::string& name) {
 }
 
 const graph::Plan& Session::plan() const {
-    return state_->plan;
+    return state_->executor->plan();
+}
+const graph::ParameterValues& Session::parameters() const {
+    return *state_->values;
 }
 const Diagnostics& Session::diagnostics() const {
     return state_->diagnostics;
@@ -141,6 +263,10 @@ const std::string& Session::driverName() const {
 }
 const scene::Scene& Session::scene() const {
     return state_->scene;
+}
+SessionFigures Session::figures() const {
+    return {state_->device.allocatedBytes(), state_->device.allocationCount(), state_->plans,
+            state_->programs.built()};
 }
 
 }  // namespace nephrite::runtime

@@ -14,7 +14,8 @@
 
 namespace nephrite::scene {
 class Scene;
-}
+struct CameraDescription;
+}  // namespace nephrite::scene
 
 namespace nephrite::runtime {
 
@@ -35,6 +36,22 @@ struct SessionOptions {
     std::optional<std::uint32_t>
         omitBarrier;       ///< a barrier of the plan left out, to see that validation notices
     bool profile = false;  ///< a full barrier around each pass, so that each is timed alone
+    bool reuse = false;    ///< for many frames: keep results, leave out passes of which nothing has changed
+    /// Renders each frame again with layers 2 to 5 of skipping off; a picture that differs is a RunError.
+    bool auditSkips = false;
+    std::uint32_t framesInFlight = 2;
+    graph::Policy policy = graph::Policy::Barriers;
+    bool plain = false;  ///< in the order of declaration, no memory shared: what other plans are held against
+    std::optional<std::uint32_t>
+        loseDeviceAtSubmit;  ///< submissions before the device counts as lost, to see that it is reported
+};
+
+/// What a session holds and has done.
+struct SessionFigures {
+    std::uint64_t deviceBytes = 0;  ///< of device memory
+    std::size_t deviceAllocations = 0;
+    std::uint64_t plans = 0;      ///< made so far
+    std::uint64_t pipelines = 0;  ///< built so far
 };
 
 /// Everything needed to render one graph of one scene at one size.
@@ -48,16 +65,32 @@ class Session {
     /// Renders the scene at `time` seconds and waits for it. Throws RunError (device lost, validation
     /// message).
     FrameTimes renderFrame(double time);
+    /// The same without waiting: up to SessionOptions::framesInFlight frames are under way at once.
+    void startFrame(double time);
+    void waitForFrames();
+
+    /// Changes a parameter, `NODE.PARAM=JSON` or `PARAM=JSON`, from the next frame on. The plan is made anew
+    /// only if the parameter decides it or is compiled into a shader. Throws InputError, and then nothing has
+    /// changed.
+    void set(const std::string& setting);
+    /// Another output size from the next frame on. Kept results and history start anew. Throws as the
+    /// constructor.
+    void resize(graph::Extent size);
+    /// Another camera than the scene's from the next frame on.
+    void setCamera(const scene::CameraDescription& camera);
 
     /// An output ("color") or a dump ("gbuffer.position") of the last frame. Several layers or mips become
     /// channels "layer1.R", "mip2.R"; layer 0 of level 0 is plain "R".
     image::Image read(const std::string& name);
 
-    const graph::Plan& plan() const;  ///< points to pass types of the session: a copy must not outlive it
-    const Diagnostics& diagnostics() const;  ///< warnings so far
+    const graph::Plan& plan() const;  ///< of the next frame; points to pass types of the session: a copy must
+                                      ///< not outlive it
+    const graph::ParameterValues& parameters() const;  ///< as they are now
+    const Diagnostics& diagnostics() const;            ///< warnings so far
     const scene::Scene& scene() const;
     const std::string& deviceName() const;
     const std::string& driverName() const;
+    SessionFigures figures() const;
 
   private:
     struct State;

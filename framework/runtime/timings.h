@@ -9,6 +9,7 @@ namespace nephrite::runtime {
 struct PassTime {
     double gpuMs = 0;
     double cpuMs = 0;  ///< recording its commands
+    bool ran = true;   ///< false: nothing it reads had changed, its last results are kept
 };
 
 /// Times of one frame. Without profiling neighbouring passes may overlap and their GPU times are only a hint.

@@ -21,8 +21,11 @@ constexpr VkAccessFlags2 shaderReads =
 constexpr VkPipelineStageFlags2 depthStages =
     VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT;
 
+// Vulkan counts the clearing of an image as a clear and the filling of a buffer as a copy.
+constexpr VkPipelineStageFlags2 clearStages = VK_PIPELINE_STAGE_2_CLEAR_BIT | VK_PIPELINE_STAGE_2_COPY_BIT;
+
 // A compute pass may read back what it writes to a buffer of its own, so its writes count as reads too.
-constexpr std::array<UseAccess, 7> useAccess{{
+constexpr std::array<UseAccess, 10> useAccess{{
     {Use::ComputeRead, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, shaderReads, 0, VK_IMAGE_USAGE_SAMPLED_BIT},
     {Use::ComputeWrite, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_READ_BIT,
      VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT, VK_IMAGE_USAGE_STORAGE_BIT},
@@ -32,10 +35,14 @@ constexpr std::array<UseAccess, 7> useAccess{{
      VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT},
     {Use::DepthAttachment, depthStages, VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT,
      VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT},
-    {Use::Clear, VK_PIPELINE_STAGE_2_CLEAR_BIT, 0, VK_ACCESS_2_TRANSFER_WRITE_BIT,
-     VK_IMAGE_USAGE_TRANSFER_DST_BIT},
+    {Use::Clear, clearStages, 0, VK_ACCESS_2_TRANSFER_WRITE_BIT, VK_IMAGE_USAGE_TRANSFER_DST_BIT},
     {Use::Copy, VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_READ_BIT, 0,
      VK_IMAGE_USAGE_TRANSFER_SRC_BIT},
+    {Use::Indirect, VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT, VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT, 0, 0},
+    {Use::ComputeModify, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_READ_BIT,
+     VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT, VK_IMAGE_USAGE_STORAGE_BIT},
+    {Use::ComputeLevelRead, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_READ_BIT, 0,
+     VK_IMAGE_USAGE_STORAGE_BIT},
 }};
 
 bool contains(std::uint32_t uses, Use use) {
@@ -145,7 +152,7 @@ VkImageUsageFlags imageUsage(std::uint32_t uses, graph::InputReads reads, graph:
 }
 
 VkBufferUsageFlags bufferUsage() {
-    return VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+    return VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT;
 }
 
 }  // namespace nephrite::runtime

@@ -19,6 +19,7 @@ namespace {
 std::vector<std::string> colourPorts(const graph::LinkedGraph& graph) {
     std::vector<std::string> ports;
     for (std::size_t node = 0; node < graph.nodes.size(); ++node) {
+        if (graph.nodes[node].role != graph::NodeRole::Pass) continue;
         for (const graph::OutputPort& port : graph.nodes[node].type->outputs) {
             if (!graph::info(port.format).isDepth)
                 ports.push_back(graph.description.nodes[node].name + "." + port.name);
@@ -73,9 +74,9 @@ DumpedFrame::DumpedFrame(const FrameRequest& request) {
         formats_.emplace(plan.nameOf(resource), resource.format);
     for (const graph::PlannedPass& pass : plan.passes) {
         const auto& declarations = plan.typeOf(pass).parameters;
-        for (std::size_t i = 0; i < declarations.size(); ++i)
+        for (graph::Index i = 0; i < declarations.size(); ++i)
             parameters_.emplace(plan.nameOf(pass) + "." + declarations[i].name,
-                                plan.parameters[pass.parameters.first + i].components);
+                                plan.graph->valueOf(pass.node, i, session.parameters()).components);
     }
 }
 

@@ -54,7 +54,8 @@ class OnDevice : public InFolder {
     }
 
     /// Runs `body` for i = 0 .. count - 1; it writes vec4 result[i].
-    std::vector<glm::vec4> run(const GpuScene& scene, const std::string& body, std::uint32_t count) const {
+    std::vector<glm::vec4> run(const GpuScene& scene, const std::string& body, std::uint32_t count,
+                               std::uint32_t slot = 0) const {
         const auto spirv = compile(gpu::ShaderStage::Compute,
                                    "layout(local_size_x = 1) in;\n"
                                    "layout(set = 1, binding = 0, std430) buffer Result { vec4 result[]; };\n"
@@ -67,7 +68,7 @@ class OnDevice : public InFolder {
         const gpu::Buffer result(device(), {count * sizeof(glm::vec4), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
                                             gpu::Residence::Readback, "result"});
         gpu::DescriptorAllocator allocator(device());
-        const std::array sets{scene.descriptorSet(), allocator.allocate(resultLayout)};
+        const std::array sets{scene.descriptorSet(slot), allocator.allocate(resultLayout)};
         gpu::DescriptorWriter().storageBuffer(0, result).update(device(), sets[1]);
         gpu::runCommands(device(), [&](VkCommandBuffer commands) {
             vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.handle());

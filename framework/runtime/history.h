@@ -1,0 +1,45 @@
+// Images and buffers of earlier frames. They outlive plans: a graph that is compiled anew goes on where it
+// was.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "gpu/buffer.h"
+#include "gpu/image.h"
+#include "graph/plan.h"
+
+namespace nephrite::runtime {
+
+/// The last frames of one port: one more than the deepest `previous(...)` that reads it.
+struct HistoryRing {
+    std::vector<gpu::Image> images;    ///< or
+    std::vector<gpu::Buffer> buffers;  ///< one for each frame
+    std::uint32_t current = 0;         ///< holds this frame's
+
+    std::uint32_t length() const { return static_cast<std::uint32_t>(images.size() + buffers.size()); }
+    /// Where the contents of `framesBack` frames ago are.
+    std::uint32_t at(std::uint32_t framesBack) const {
+        return (current + length() - framesBack % length()) % length();
+    }
+    /// From here on what is this frame's is the last frame's; the oldest is written over.
+    void rotate() { current = (current + 1) % length(); }
+};
+
+class HistoryStore {
+  public:
+    /// The ring of the port of plan.resources[resource] (any of its frames), `length` long. The one of the
+    /// last plan if it has the same name, extent, format, levels, layers, uses and length; else a new one,
+    /// every frame of it neutral and in the layout in which frames start. Throws RunError if memory runs out.
+    std::shared_ptr<HistoryRing> ring(const gpu::Device& device, const graph::Plan& plan,
+                                      graph::Index resource, std::uint32_t length, std::uint32_t uses);
+    /// Lets go of rings that no plan holds.
+    void dropUnused();
+
+  private:
+    std::map<std::string, std::shared_ptr<HistoryRing>> rings_;
+};
+
+}  // namespace nephrite::runtime
