@@ -2,6 +2,7 @@
 // docs/quick-start.md: 0 done, 1 it failed while running, 2 what it was given is wrong.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <malloc.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -56,9 +57,21 @@ int run(const nephrite::tools::Action& action) {
     }
 }
 
+/// Large blocks stay with the process when they are freed: who makes one plan after the other would pay for
+/// zeroed pages each time.
+void keepFreedMemory() {
+#ifdef __GLIBC__
+    constexpr int largestThreshold = 32 << 20;
+    constexpr int never = 1 << 30;
+    mallopt(M_MMAP_THRESHOLD, largestThreshold);
+    mallopt(M_TRIM_THRESHOLD, never);
+#endif
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+    keepFreedMemory();
     CLI::App app{"Nephrite: render graphs as data, for research in rendering"};
     app.require_subcommand(1);
     nephrite::tools::Action action;
@@ -67,6 +80,7 @@ int main(int argc, char** argv) {
     nephrite::tools::addCheckVerb(app, action);
     nephrite::tools::addPassesVerb(app, action);
     nephrite::tools::addSchemaVerb(app, action);
+    nephrite::tools::addBenchVerb(app, action);
     if (argc > 1 && argv[1][0] != '-' && !hasVerb(app, argv[1])) {
         printLine(unknownVerb(app, argv[1]));
         return 2;

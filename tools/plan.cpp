@@ -4,10 +4,12 @@
 #include <array>
 #include <cstdio>
 
+#include "graph/explain.h"
 #include "graph/plan_writer.h"
 #include "image/output_file.h"
 #include "options.h"
 #include "runtime/graph_loading.h"
+#include "runtime/imports.h"
 #include "verbs.h"
 
 namespace nephrite::tools {
@@ -18,6 +20,8 @@ struct PlanArguments {
     std::vector<std::string> dumps;
     std::filesystem::path output;
     bool noSkip = false;
+    std::string why;
+    std::string policy = "barriers";
 };
 
 struct PlanFormat {
@@ -39,6 +43,15 @@ const PlanFormat& formatOf(const std::filesystem::path& output) {
                                  output.extension().string()));
 }
 
+/// The plan asked for, with the figures of the other policy beside its own.
+graph::Plan compileForBoth(graph::CompileRequest& request) {
+    graph::Plan plan = graph::compile(request);
+    request.policy =
+        request.policy == graph::Policy::Memory ? graph::Policy::Barriers : graph::Policy::Memory;
+    plan.otherPolicy = graph::compile(request).figures();
+    return plan;
+}
+
 graph::Plan makePlan(const PlanArguments& arguments, const runtime::DataFolders& folders,
                      const runtime::LoadedGraph& loaded) {
     const scene::Scene scene = runtime::loadScene(arguments.graph.scene, 0, folders);
@@ -47,8 +60,10 @@ graph::Plan makePlan(const PlanArguments& arguments, const runtime::DataFolders&
     request.facts = runtime::sceneFacts(scene.facts());
     request.view = arguments.graph.extent();
     request.skip = !arguments.noSkip;
+    request.policy = arguments.policy == "memory" ? graph::Policy::Memory : graph::Policy::Barriers;
     for (const std::string& dump : arguments.dumps) request.dumps.push_back(runtime::dumpReference(dump));
-    return graph::compile(request);
+    request.imports = runtime::importedImages(loaded.graph->description);
+    return compileForBoth(request);
 }
 
 void writePlan(const PlanArguments& arguments) {
@@ -56,7 +71,8 @@ void writePlan(const PlanArguments& arguments) {
     const auto folders = runtime::DataFolders::find();
     const auto loaded = runtime::loadGraph(arguments.graph.graph, arguments.graph.settings, folders,
                                            arguments.graph.passPaths);
-    const std::string text = format.write(makePlan(arguments, folders, loaded));
+    const graph::Plan plan = makePlan(arguments, folders, loaded);
+    const std::string text = arguments.why.empty() ? format.write(plan) : graph::explain(plan, arguments.why);
     if (arguments.output.empty())
         fmt::print("{}", text);
     else
@@ -75,6 +91,12 @@ void addPlanVerb(CLI::App& app, Action& action) {
         ->take_all();
     verb->add_flag("--no-skip", arguments->noSkip,
                    "Plan every needed pass, also those the scene does not need");
+    verb->add_option(
+        "--why", arguments->why,
+        "Tell why NODE runs, stands where it stands and has its barriers and memory, or NODE.PORT");
+    verb->add_option("--policy", arguments->policy,
+                     "Order passes for few barriers (default) or for little memory")
+        ->check(CLI::IsMember({"barriers", "memory"}));
     verb->add_option("-o,--output", arguments->output,
                      "F.txt, F.json, F.dot or F.svg (default: text on standard output)");
     verb->callback([&action, arguments] { action = [arguments] { writePlan(*arguments); }; });

@@ -33,8 +33,10 @@ struct RenderArguments {
     double framesPerSecond = 30;
     std::optional<std::uint32_t> warmup;
     std::optional<std::uint32_t> omitBarrier;
+    std::optional<std::uint32_t> loseDevice;
     bool profile = false;
     bool noSkip = false;
+    bool auditSkips = false;
 };
 
 /// A port of the session and the file it goes to.
@@ -107,6 +109,10 @@ runtime::SessionOptions sessionOptions(const RenderArguments& arguments) {
     options.skip = !arguments.noSkip;
     options.profile = arguments.profile;
     options.omitBarrier = arguments.omitBarrier;
+    options.loseDeviceAtSubmit = arguments.loseDevice;
+    options.auditSkips = arguments.auditSkips;
+    // A profile is of the passes, so all of them run in every frame.
+    options.reuse = (arguments.frames > 1 || arguments.auditSkips) && !arguments.profile;
     return options;
 }
 
@@ -117,11 +123,13 @@ const graph::GraphParameter* findParameter(const graph::Plan& plan, std::string_
 }
 
 /// The value of the first running pass's parameter `weights`: what the picture was really composed with.
-const graph::ParameterValue* usedWeights(const graph::Plan& plan) {
+const graph::ParameterValue* usedWeights(const runtime::Session& session) {
+    const graph::Plan& plan = session.plan();
     for (const graph::PlannedPass& pass : plan.passes) {
         const auto& declarations = plan.typeOf(pass).parameters;
-        for (std::size_t i = 0; i < declarations.size(); ++i)
-            if (declarations[i].name == "weights") return &plan.parameters[pass.parameters.first + i];
+        for (graph::Index i = 0; i < declarations.size(); ++i)
+            if (declarations[i].name == "weights")
+                return &plan.graph->valueOf(pass.node, i, session.parameters());
     }
     return nullptr;
 }
@@ -136,7 +144,7 @@ image::Metadata metadata(const RenderArguments& arguments, const runtime::Sessio
         {"device", session.deviceName()}};
     for (const std::string& setting : arguments.graph.settings)
         data["settings"] += (data["settings"].empty() ? "" : " ") + setting;
-    if (const auto* weights = usedWeights(session.plan())) {
+    if (const auto* weights = usedWeights(session)) {
         std::string list;
         for (const double weight : weights->components)
             list += fmt::format("{}{:.17g}", list.empty() ? "" : " ", weight);
@@ -183,6 +191,7 @@ TimingsReport emptyReport(const RenderArguments& arguments, const runtime::Sessi
             std::find(report.passes.begin(), report.passes.end(), name) != report.passes.end();
         if (plan.nodes[node].state == graph::NodeState::Skipped && !isListed) report.skipped.push_back(name);
     }
+    report.skips = plan.skips;
     return report;
 }
 
@@ -249,6 +258,11 @@ void addRenderVerb(CLI::App& app, Action& action) {
         ->capture_default_str();
     verb->add_flag("--no-skip", arguments->noSkip,
                    "Run every needed pass, also those the scene does not need");
+    verb->add_flag("--audit-skips", arguments->auditSkips,
+                   "Render each frame with and without skipping and fail if a picture differs");
+    // For the program's own tests: not in the help.
+    verb->add_option("--lose-device", arguments->loseDevice, "Lose the device after N submissions")
+        ->group("");
     verb->add_option("--omit-barrier", arguments->omitBarrier,
                      "Leave out barrier N of the plan, to see that --validation sync notices");
     verb->add_option("--device", arguments->device, "Part of the name of the device to use");

@@ -48,20 +48,44 @@ struct Row {
     std::string name;
     Statistics gpu;
     Statistics cpu;
+    std::size_t ran = 0;  ///< frames in which a pass ran; its statistics are of these
 };
+
+Row passRow(const TimingsReport& report, std::size_t pass) {
+    std::vector<double> gpu;
+    std::vector<double> cpu;
+    for (const FrameTimes& frame : report.frames) {
+        if (!frame.passes[pass].ran) continue;
+        gpu.push_back(frame.passes[pass].gpuMs);
+        cpu.push_back(frame.passes[pass].cpuMs);
+    }
+    const std::size_t ran = gpu.size();
+    return {report.passes[pass], statistics(std::move(gpu)), statistics(std::move(cpu)), ran};
+}
 
 std::vector<Row> passRows(const TimingsReport& report) {
     std::vector<Row> rows;
-    for (std::size_t i = 0; i < report.passes.size(); ++i)
-        rows.push_back({report.passes[i],
-                        over(report, [i](const FrameTimes& f) { return f.passes[i].gpuMs; }),
-                        over(report, [i](const FrameTimes& f) { return f.passes[i].cpuMs; })});
+    for (std::size_t i = 0; i < report.passes.size(); ++i) rows.push_back(passRow(report, i));
     return rows;
 }
 
+/// How often each layer of skipping left something out: passes of the plan, and pass by pass of all frames
+/// for what had not changed.
+Json::Value skipCounts(const TimingsReport& report) {
+    std::size_t unchanged = 0;
+    for (const Row& row : passRows(report)) unchanged += report.frames.size() - row.ran;
+    Json::Value counts;
+    counts["notNeeded"] = report.skips.notNeeded;
+    counts["neutral"] = report.skips.neutral;
+    counts["unchanged"] = static_cast<Json::UInt64>(unchanged);
+    counts["tiled"] = report.skips.tiled;
+    counts["specialized"] = report.skips.specialized;
+    return counts;
+}
+
 std::vector<Row> frameRows(const TimingsReport& report) {
-    return {{"recording", {}, over(report, [](const FrameTimes& f) { return f.recordMs; })},
-            {"waiting", {}, over(report, [](const FrameTimes& f) { return f.waitMs; })}};
+    return {{"recording", {}, over(report, [](const FrameTimes& f) { return f.recordMs; }), 0},
+            {"waiting", {}, over(report, [](const FrameTimes& f) { return f.waitMs; }), 0}};
 }
 
 Json::Value asJson(const Statistics& statistics) {
@@ -79,13 +103,13 @@ std::string written(const Json::Value& value) {
     return Json::writeString(builder, value) + "\n";
 }
 
-Json::Value passEntry(const Row& row, std::size_t ran, std::size_t skipped) {
+Json::Value passEntry(const Row& row, std::size_t frames) {
     Json::Value entry;
     entry["name"] = row.name;
     entry["gpuMs"] = asJson(row.gpu);
     entry["cpuMs"] = asJson(row.cpu);
-    entry["ran"] = static_cast<Json::UInt64>(ran);
-    entry["skipped"] = static_cast<Json::UInt64>(skipped);
+    entry["ran"] = static_cast<Json::UInt64>(row.ran);
+    entry["skipped"] = static_cast<Json::UInt64>(frames - row.ran);
     return entry;
 }
 
@@ -146,9 +170,10 @@ std::string timingsAsJson(const TimingsReport& report) {
     root["gpuMs"] = asJson(over(report, gpuSum));
     root["cpuMs"] = asJson(over(report, [](const FrameTimes& f) { return f.recordMs; }));
     root["passes"] = Json::arrayValue;
-    for (const Row& row : passRows(report)) root["passes"].append(passEntry(row, report.frames.size(), 0));
+    for (const Row& row : passRows(report)) root["passes"].append(passEntry(row, report.frames.size()));
     for (const std::string& name : report.skipped)
-        root["passes"].append(passEntry({name, {}, {}}, 0, report.frames.size()));
+        root["passes"].append(passEntry({name, {}, {}, 0}, report.frames.size()));
+    root["skips"] = skipCounts(report);
     root["rows"] = Json::arrayValue;
     for (const Row& row : frameRows(report)) {
         Json::Value entry;
@@ -163,7 +188,7 @@ std::string timingsAsCsv(const TimingsReport& report) {
     std::string text = "name,gpuMedianMs,gpuP95Ms,gpuMinMs,cpuMedianMs,cpuP95Ms,cpuMinMs\n";
     std::vector<Row> rows = passRows(report);
     for (Row& row : frameRows(report)) rows.push_back(std::move(row));
-    rows.push_back({"wall", {}, over(report, [](const FrameTimes& f) { return f.wallMs; })});
+    rows.push_back({"wall", {}, over(report, [](const FrameTimes& f) { return f.wallMs; }), 0});
     for (const Row& row : rows)
         text += fmt::format("{},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}\n", row.name, row.gpu.median,
                             row.gpu.p95, row.gpu.min, row.cpu.median, row.cpu.p95, row.cpu.min);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "graph/plan.h"
 #include "runtime/timings.h"
 
 namespace nephrite::tools {
@@ -22,6 +23,7 @@ struct TimingsReport {
     bool profiled = false;
     std::vector<std::string> passes;          ///< names, as FrameTimes::passes
     std::vector<std::string> skipped;         ///< nodes the plan skipped
+    graph::SkipCounts skips;                  ///< what the plan leaves out
     std::vector<runtime::FrameTimes> frames;  ///< after the warm-up
 };
 

@@ -15,5 +15,6 @@ void addPlanVerb(CLI::App& app, Action& action);
 void addCheckVerb(CLI::App& app, Action& action);
 void addSchemaVerb(CLI::App& app, Action& action);
 void addPassesVerb(CLI::App& app, Action& action);
+void addBenchVerb(CLI::App& app, Action& action);
 
 }  // namespace nephrite::tools

@@ -1,0 +1,10 @@
+// The sub-verbs of `nephrite bench`, a file each.
+#pragma once
+
+#include "verbs.h"
+
+namespace nephrite::tools {
+
+void addBenchCompile(CLI::App& bench, Action& action);
+
+}  // namespace nephrite::tools
