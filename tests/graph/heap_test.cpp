@@ -104,13 +104,14 @@ TEST(Heap, AResourceOfNoBytesTakesNone) {
 }
 
 TEST(Heap, ASecondResourceTakesTheMemoryOfADeadOne) {
-    const std::vector<MemoryClaim> claims{{1024, 256, 0, 1, 1}, {1024, 256, 2, 3, 2}, {1024, 256, 3, 4, 4}};
+    const std::vector<MemoryClaim> claims{
+        {1024, 256, 0, 1, 1}, {1024, 256, 0, 4, 2}, {1024, 256, 2, 3, 4, 2}};
     for (const Policy policy : policies) {
         const HeapLayout layout = placeInHeap(claims, policy);
         EXPECT_EQ(layout.bytes, 2048U);
         EXPECT_EQ(layout.places[0].usedUntil, noIndex);
-        EXPECT_EQ(layout.places[1].usedUntil, 1U);
-        EXPECT_EQ(layout.places[1].usesBefore, 1U);
+        EXPECT_EQ(layout.places[2].usedUntil, 1U);
+        EXPECT_EQ(layout.places[2].usesBefore, 1U);
     }
 }
 

@@ -4,9 +4,7 @@
 #include <algorithm>
 
 namespace nephrite::graph {
-
-HeapBlocks::HeapBlocks(float deathWeight, std::uint64_t start, std::uint64_t plenty)
-    : deathWeight_(deathWeight), plenty_(plenty) {
+HeapBlocks::HeapBlocks(float deathWeight, std::uint64_t start) : deathWeight_(deathWeight) {
     blocks_.reserve(64);
     if (start == 0) return;
     top_ = newBlock();
@@ -16,21 +14,16 @@ HeapBlocks::HeapBlocks(float deathWeight, std::uint64_t start, std::uint64_t ple
     listGap(top_);
 }
 
-Index HeapBlocks::take(std::uint64_t units, const Life& life) {
-    const Index waitedFor = std::max(life.waitedFor, lastBatch_);
-    const Index slot = gaps_.cheapest({units, life.last, waitedFor}, deathWeight_);
-    if (slot == noIndex) return bringToLife(grow(units), life.last);
+Index HeapBlocks::take(std::uint64_t units, Index last) {
+    const Index slot = gaps_.cheapest(units, last, deathWeight_);
+    if (slot == noIndex) return noIndex;
     const Index gap = gaps_.block(slot);
-    if (blocks_[gap].freeFrom > waitedFor) {
-        if (mayGrow(units, waitedFor)) return bringToLife(grow(units), life.last);
-        lastBatch_ = life.first;
-    }
     if (blocks_[gap].units == units) {
         unlistGap(gap);
         remember(gap, gap, units, false);
-        return bringToLife(gap, life.last);
+        return bringToLife(gap, last);
     }
-    const Index block = bringToLife(cut(gap, units, gaps_.isNearerAbove(slot, life.last)), life.last);
+    const Index block = bringToLife(cut(gap, units, gaps_.isNearerAbove(slot, last)), last);
     relistGap(gap);
     return block;
 }
@@ -43,16 +36,12 @@ Index HeapBlocks::bringToLife(Index block, Index last) {
 
 /// The units that `block` takes from one end of the free block `gap`, possibly itself, have a past.
 void HeapBlocks::remember(Index block, Index gap, std::uint64_t units, bool fromAbove) {
-    const HeapStretches::Past past = stretches_.take(blocks_[gap].stretches, units, fromAbove);
-    blocks_[block].freeFrom = past.freeFrom;
-    blocks_[block].usesBefore = past.uses;
+    blocks_[block].past = stretches_.take(blocks_[gap].stretches, units, fromAbove);
 }
 
 void HeapBlocks::release(Index block, std::uint32_t uses) {
     Block& freed = blocks_[block];
-    freed.freeFrom = freed.last + 1;
-    freed.usesBefore = uses;
-    freed.stretches = stretches_.make(freed.units, {freed.freeFrom, uses});
+    freed.stretches = stretches_.make(freed.units, {freed.last + 1, uses});
     const Index above = freed.above;
     const Index below = freed.below;
     if (isFree(above)) {
@@ -70,19 +59,21 @@ void HeapBlocks::release(Index block, std::uint32_t uses) {
 HeapGaps::Gap HeapBlocks::gapOf(Index index) const {
     const Block& block = blocks_[index];
     return {index, block.units, block.below == noIndex ? HeapGaps::never : blocks_[block.below].last,
-            block.above == noIndex ? HeapGaps::never : blocks_[block.above].last, block.freeFrom};
+            block.above == noIndex ? HeapGaps::never : blocks_[block.above].last};
 }
 
-/// Whether there is plenty of memory above the heap, and a free block at its end may be used.
-bool HeapBlocks::mayGrow(std::uint64_t units, Index waitedFor) const {
-    if (!isFree(top_) || blocks_[top_].units >= units) return end_ + units <= plenty_;
-    return blocks_[top_].freeFrom <= waitedFor && blocks_[top_].offset + units <= plenty_;
+std::uint64_t HeapBlocks::sizeWith(std::uint64_t units) const {
+    return (growsFromTop(units) ? blocks_[top_].offset : end_) + units;
 }
 
-/// Makes the heap as much longer as is needed, from a free block at its end.
-Index HeapBlocks::grow(std::uint64_t units) {
+/// A free block at the end that is too small is made larger.
+bool HeapBlocks::growsFromTop(std::uint64_t units) const {
+    return isFree(top_) && blocks_[top_].units < units;
+}
+
+Index HeapBlocks::grow(std::uint64_t units, Index last) {
     Index block = top_;
-    if (isFree(top_) && blocks_[top_].units < units) {
+    if (growsFromTop(units)) {
         unlistGap(top_);
         remember(top_, top_, blocks_[top_].units, false);
     } else {
@@ -94,7 +85,7 @@ Index HeapBlocks::grow(std::uint64_t units) {
     }
     blocks_[block].units = units;
     end_ = blocks_[block].offset + units;
-    return block;
+    return bringToLife(block, last);
 }
 
 /// Takes a block from one end of a gap, which stays a gap.
@@ -121,13 +112,11 @@ Index HeapBlocks::cut(Index gap, std::uint64_t units, bool fromAbove) {
     remember(taken, gap, units, fromAbove);
     return taken;
 }
-
 /// Makes two neighbours, neither of them a listed gap above, one free block.
 void HeapBlocks::join(Index index, Index aboveIndex) {
     Block& block = blocks_[index];
     Block& above = blocks_[aboveIndex];
     block.units += above.units;
-    block.freeFrom = std::max(block.freeFrom, above.freeFrom);
     block.stretches = stretches_.join(block.stretches, above.stretches);
     block.above = above.above;
     (above.above == noIndex ? top_ : blocks_[above.above].below) = index;

@@ -12,38 +12,35 @@ namespace nephrite::graph {
 /// Takes and gives back memory in constant time, however many blocks there are. Offsets and sizes count units
 /// that the caller chooses.
 ///
-/// Among the free blocks that fit, take() prefers those that are free for long enough, those it fills well,
-/// and those beside a block that dies at about the same time, so that both will be one free block again.
+/// Among the free blocks that fit, take() prefers those it fills well, and those beside a block that dies at
+/// about the same time, so that both will be one free block again.
 class HeapBlocks {
   public:
     /// `deathWeight`: what share of a free block left over is as bad as one pass between two deaths. `start`:
-    /// the size it has from the beginning, for it cannot be less. `plenty`: rather than take memory that
-    /// costs a batch of barriers, the heap grows up to this size.
-    HeapBlocks(float deathWeight, std::uint64_t start, std::uint64_t plenty);
+    /// the size it has from the beginning.
+    HeapBlocks(float deathWeight, std::uint64_t start);
 
-    /// Passes in the order of the sweep.
-    struct Life {
-        Index first = 0;
-        Index last = 0;
-        Index waitedFor = 0;  ///< as MemoryClaim::waitedFor
-    };
-    /// A block of `units` > 0, alive until release().
-    Index take(std::uint64_t units, const Life& life);
+    /// A block of `units` > 0, alive until release() and used until pass `last`; noIndex if no free block is
+    /// large enough.
+    Index take(std::uint64_t units, Index last);
+    /// The same from the end of the heap, which becomes as much longer as is needed.
+    Index grow(std::uint64_t units, Index last);
+    /// The size it has after grow().
+    std::uint64_t sizeWith(std::uint64_t units) const;
     /// `uses`: what it was used for while alive.
     void release(Index block, std::uint32_t uses);
 
     std::uint64_t offset(Index block) const { return blocks_[block].offset; }
     /// The last pass that touched a live block's memory before it was taken, or noIndex; and its uses.
-    Index usedUntil(Index block) const { return blocks_[block].freeFrom - 1; }
-    std::uint32_t usesBefore(Index block) const { return blocks_[block].usesBefore; }
+    Index usedUntil(Index block) const { return blocks_[block].past.freeFrom - 1; }
+    std::uint32_t usesBefore(Index block) const { return blocks_[block].past.uses; }
     std::uint64_t size() const { return end_; }
 
   private:
     struct Block {
         std::uint64_t offset = 0;
         std::uint64_t units = 0;
-        Index freeFrom = 0;             ///< one more than the last pass that touched it; 0: none did
-        std::uint32_t usesBefore = 0;   ///< of a live block
+        HeapStretches::Past past;       ///< of a live block
         HeapStretches::List stretches;  ///< of a free block
         Index last = 0;                 ///< of a live block
         Index below = noIndex,
@@ -57,8 +54,7 @@ class HeapBlocks {
     bool isFree(Index block) const { return block != noIndex && blocks_[block].slot != live; }
     HeapGaps::Gap gapOf(Index block) const;
     Index bringToLife(Index block, Index last);
-    bool mayGrow(std::uint64_t units, Index waitedFor) const;
-    Index grow(std::uint64_t units);
+    bool growsFromTop(std::uint64_t units) const;
     void remember(Index block, Index gap, std::uint64_t units, bool fromAbove);
     Index cut(Index gap, std::uint64_t units, bool fromAbove);
     void join(Index block, Index above);
@@ -70,9 +66,6 @@ class HeapBlocks {
     void stopWaiting(Index block);
 
     float deathWeight_;
-    std::uint64_t plenty_;
-    Index lastBatch_ =
-        0;  ///< the last pass whose memory took a batch of barriers: all before it is waited for
     HeapGaps gaps_;
     HeapStretches stretches_;
     std::vector<Block> blocks_;

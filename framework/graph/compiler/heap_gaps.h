@@ -21,15 +21,8 @@ class HeapGaps {
     struct Gap {
         Index block = noIndex;
         std::uint64_t units = 0;
-        Index below = 0;     ///< when the block below dies, or `never`
-        Index above = 0;     ///< when the block above dies, or `never`
-        Index freeFrom = 0;  ///< the first pass after all that touched it
-    };
-    /// What is looked for.
-    struct Wanted {
-        std::uint64_t units = 0;
-        Index death = 0;
-        Index waitedFor = 0;  ///< as MemoryClaim::waitedFor
+        Index below = 0;  ///< when the block below dies, or `never`
+        Index above = 0;  ///< when the block above dies, or `never`
     };
 
     Index count() const { return count_; }
@@ -43,7 +36,6 @@ class HeapGaps {
         share_[slot] = 1 / units_[slot];
         below_[slot] = static_cast<std::int32_t>(gap.below);
         above_[slot] = static_cast<std::int32_t>(gap.above);
-        freeFrom_[slot] = static_cast<std::int32_t>(gap.freeFrom);
     }
     Index add(const Gap& gap) {
         set(count_, gap);
@@ -57,7 +49,6 @@ class HeapGaps {
         share_[slot] = share_[count_];
         below_[slot] = below_[count_];
         above_[slot] = above_[count_];
-        freeFrom_[slot] = freeFrom_[count_];
         units_[count_] = 0;
     }
     Index smallest() const {
@@ -73,29 +64,25 @@ class HeapGaps {
     }
 
     /// The gap of least cost among those that are large enough, or noIndex. The cost is the share of the gap
-    /// that would be left over, plus `deathWeight` for each pass between the death wanted and the nearer one
-    /// beside the gap; gaps free only after `waitedFor` are the last choice.
+    /// that would be left over, plus `deathWeight` for each pass between `lastPass` and the nearer death
+    /// beside the gap.
     ///
     /// Positive floats compare like the integers of the same bits, of which the lowest carry the slot: a loop
     /// without a branch, which compilers turn into vector instructions.
-    Index cheapest(const Wanted& wanted, float deathWeight) const {
+    Index cheapest(std::uint64_t wanted, Index lastPass, float deathWeight) const {
         constexpr std::int32_t none = std::numeric_limits<std::int32_t>::max();
         constexpr std::int32_t slotBits = capacity - 1;
         constexpr std::int32_t farthest = 500;
-        constexpr std::int32_t lastChoice = 1000;
-        const float units = atLeast(wanted.units);
+        const float units = atLeast(wanted);
         const auto fitting = std::bit_cast<std::int32_t>(units);
-        const auto death = static_cast<std::int32_t>(wanted.death);
-        const auto waitedFor = static_cast<std::int32_t>(wanted.waitedFor);
+        const auto death = static_cast<std::int32_t>(lastPass);
         const auto end = static_cast<std::int32_t>((count_ + lanes - 1) / lanes * lanes);
         std::int32_t least = none;
         for (std::int32_t i = 0; i < end; ++i) {
             const std::int32_t nearer = std::min(std::abs(below_[i] - death), std::abs(above_[i] - death));
             const std::int32_t apart = std::min(nearer, farthest);
-            const std::int32_t late = maskIf(freeFrom_[i] > waitedFor) & lastChoice;
             const float leftOver = 1 - units * share_[i];
-            const float cost =
-                1 + leftOver + static_cast<float>(late) + deathWeight * static_cast<float>(apart);
+            const float cost = 1 + leftOver + deathWeight * static_cast<float>(apart);
             const std::int32_t key = (std::bit_cast<std::int32_t>(cost) & ~slotBits) | i;
             const std::int32_t tooSmall = maskIf(std::bit_cast<std::int32_t>(units_[i]) < fitting);
             least = std::min(least, (key & ~tooSmall) | (none & tooSmall));
@@ -127,7 +114,6 @@ class HeapGaps {
     std::array<float, capacity> share_{};  ///< one over units
     std::array<std::int32_t, capacity> below_{};
     std::array<std::int32_t, capacity> above_{};
-    std::array<std::int32_t, capacity> freeFrom_{};
 };
 
 }  // namespace nephrite::graph

@@ -29,35 +29,73 @@ HeapSweep::HeapSweep(std::span<const MemoryClaim> claims) : claims_(claims) {
     peak_ = findPeak();
 }
 
+/// The heap while a sweep goes on.
+class HeapSweep::Sweeper {
+  public:
+    Sweeper(const HeapSweep& sweep, const Way& way)
+        : sweep_(sweep),
+          forward_(way.direction == Direction::Forward),
+          leaving_(forward_ ? sweep.dying_ : sweep.born_),
+          shift_(std::countr_zero(sweep.unit_)),
+          plenty_(way.plenty >> shift_),
+          heap_(way.deathWeight, units(sweep.peak_)),
+          blockOf_(sweep.claims_.size()) {}
+
+    std::uint64_t bytes() const { return heap_.size() << shift_; }
+
+    /// What died since the last wait stays out of reach until the next: that is at `waitedFor`, or at once
+    /// where the heap would become too large.
+    MemoryPlace place(Index index, Index time) {
+        const MemoryClaim& claim = sweep_.claims_[index];
+        const std::uint64_t wanted = units(claim.bytes);
+        const Index last = forward_ ? claim.last : sweep_.passes_ - 1 - claim.first;
+        freeBefore(forward_ ? claim.waitedFor : time);
+        Index block = heap_.take(wanted, last);
+        if (block == noIndex && freed_ < time && heap_.sizeWith(wanted) > plenty_) {
+            freeBefore(time);
+            block = heap_.take(wanted, last);
+        }
+        if (block == noIndex) block = heap_.grow(wanted, last);
+        blockOf_[index] = block;
+        return {heap_.offset(block) << shift_, heap_.usedUntil(block), heap_.usesBefore(block)};
+    }
+
+  private:
+    std::uint64_t units(std::uint64_t bytes) const { return (bytes + sweep_.unit_ - 1) >> shift_; }
+
+    void freeBefore(Index time) {
+        for (; freed_ < time; ++freed_) {
+            const Index pass = forward_ ? freed_ : sweep_.passes_ - 1 - freed_;
+            for (Index i = leaving_.heads[pass]; i != noIndex; i = leaving_.next[i]) {
+                heap_.release(blockOf_[i], sweep_.claims_[i].uses);
+            }
+        }
+    }
+
+    const HeapSweep& sweep_;
+    bool forward_;
+    const Lists& leaving_;
+    int shift_;
+    std::uint64_t plenty_;
+    HeapBlocks heap_;
+    std::vector<Index> blockOf_;
+    Index freed_ = 0;  ///< passes before it are waited for: what died in them is free
+};
+
 std::optional<HeapLayout> HeapSweep::place(const Way& way) const {
     const bool forward = way.direction == Direction::Forward;
     const Lists& arriving = forward ? born_ : dying_;
-    const Lists& leaving = forward ? dying_ : born_;
-    const int shift = std::countr_zero(unit_);
+    Sweeper sweeper(*this, way);
     HeapLayout layout;
     layout.places.resize(claims_.size());
-    std::vector<Index> blockOf(claims_.size());
-    HeapBlocks blocks(way.deathWeight, (peak_ + unit_ - 1) >> shift, way.plenty >> shift);
     for (Index time = 0; time < passes_; ++time) {
         const Index pass = forward ? time : passes_ - 1 - time;
         for (Index i = arriving.heads[pass]; i != noIndex; i = arriving.next[i]) {
-            const MemoryClaim& claim = claims_[i];
-            const HeapBlocks::Life life = forward ? HeapBlocks::Life{claim.first, claim.last, claim.waitedFor}
-                                                  : HeapBlocks::Life{time, passes_ - 1 - claim.first, time};
-            const Index block = blocks.take((claim.bytes + unit_ - 1) >> shift, life);
-            blockOf[i] = block;
-            layout.places[i] = {blocks.offset(block) << shift, blocks.usedUntil(block),
-                                blocks.usesBefore(block)};
+            layout.places[i] = sweeper.place(i, time);
         }
-        if (blocks.size() << shift >= way.tooLarge) return std::nullopt;
-        for (Index i = leaving.heads[pass]; i != noIndex; i = leaving.next[i]) {
-            // A claim does not touch the last bytes of a block it does not fill: whoever did still counts.
-            const bool fills = claims_[i].bytes % unit_ == 0;
-            const std::uint32_t before = fills ? 0 : blocks.usesBefore(blockOf[i]);
-            blocks.release(blockOf[i], claims_[i].uses | before);
-        }
+        if (sweeper.bytes() >= way.tooLarge) return std::nullopt;
     }
-    layout.bytes = blocks.size() << shift;
+    layout.bytes = sweeper.bytes();
     return layout;
 }
 

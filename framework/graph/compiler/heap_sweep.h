@@ -18,8 +18,8 @@ class HeapSweep {
     enum class Direction : std::uint8_t { Forward, Backward };
     struct Way {
         Direction direction = Direction::Forward;
-        float deathWeight = 0;                       ///< as of HeapBlocks
-        std::uint64_t plenty = 0;                    ///< bytes: as of HeapBlocks, forward
+        float deathWeight = 0;     ///< as of HeapBlocks
+        std::uint64_t plenty = 0;  ///< bytes that a heap may take to spare batches of barriers
         std::uint64_t tooLarge = ~std::uint64_t{0};  ///< bytes of a heap that is of no use
     };
     /// Linear in claims plus passes. Backward from the last pass to the first, the places lack what was there
@@ -36,6 +36,7 @@ class HeapSweep {
     Index passes() const { return passes_; }
 
   private:
+    class Sweeper;
     /// Claims linked by a pass they have in common, in their own order.
     struct Lists {
         std::vector<Index> heads;  ///< by pass
