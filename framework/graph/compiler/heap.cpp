@@ -13,7 +13,7 @@ namespace {
 using Direction = HeapSweep::Direction;
 
 /// Good ones on random graphs, the best first.
-constexpr std::array deathWeights{0.3F, 0.1F, 1.0F, 0.03F, 0.2F, 0.15F, 0.7F, 0.05F, 0.02F, 0.5F};
+constexpr std::array deathWeights{0.3F, 0.1F, 1.0F, 0.03F, 0.2F, 0.15F, 0.7F};
 
 /// Bytes that are too many: `factor` times the peak.
 std::uint64_t times(double factor, std::uint64_t peak) {
@@ -24,24 +24,33 @@ HeapLayout placeQuickly(const HeapSweep& sweep) {
     const std::uint64_t peak = sweep.peakBytes();
     const std::uint64_t plenty = times(1.05, peak);
     const std::uint64_t bad = times(1.3, peak);  // few random graphs of 1,000 passes
-    HeapLayout best = *sweep.place({Direction::Forward, deathWeights[0], plenty});
+    HeapLayout best = *sweep.place({.deathWeight = deathWeights[0], .plenty = plenty});
     for (std::size_t i = 1; i < 3 && best.bytes > bad; ++i) {
-        auto better = sweep.place({Direction::Forward, deathWeights[i], plenty, best.bytes});
+        auto better = sweep.place({.deathWeight = deathWeights[i], .plenty = plenty, .tooLarge = best.bytes});
         if (better) best = std::move(*better);
     }
     return best;
 }
 
+/// The i-th of all ways there are.
+HeapSweep::Way wayAt(std::size_t i) {
+    return {.direction = i % 2 == 0 ? Direction::Backward : Direction::Forward,
+            .deathWeight = deathWeights[i / 4],
+            .fromBothEnds = i % 4 < 2};
+}
+constexpr std::size_t wayCount = 4 * deathWeights.size();
+
 HeapLayout placeTightly(const HeapSweep& sweep) {
-    HeapLayout best = *sweep.place({Direction::Forward, deathWeights[0]});
+    HeapLayout best = *sweep.place({.deathWeight = deathWeights[0]});
     Direction bestDirection = Direction::Forward;
     const std::uint64_t good = times(1.01, sweep.peakBytes());  // little is left to gain
-    for (std::size_t i = 1; i < 2 * deathWeights.size() && best.bytes > good; ++i) {
-        const Direction direction = i % 2 == 1 ? Direction::Backward : Direction::Forward;
-        auto better = sweep.place({direction, deathWeights[i / 2], 0, best.bytes});
+    for (std::size_t i = 0; i < wayCount && best.bytes > good; ++i) {
+        HeapSweep::Way way = wayAt(i);
+        way.tooLarge = best.bytes;
+        auto better = sweep.place(way);
         if (!better) continue;
         best = std::move(*better);
-        bestDirection = direction;
+        bestDirection = way.direction;
     }
     if (bestDirection == Direction::Backward) findPast(sweep, best);
     return best;

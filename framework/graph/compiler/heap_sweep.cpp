@@ -38,7 +38,7 @@ class HeapSweep::Sweeper {
           leaving_(forward_ ? sweep.dying_ : sweep.born_),
           shift_(std::countr_zero(sweep.unit_)),
           plenty_(way.plenty >> shift_),
-          heap_(way.deathWeight, units(sweep.peak_)),
+          heap_(way.deathWeight, way.fromBothEnds ? units(sweep.peak_) : 0),
           blockOf_(sweep.claims_.size()) {}
 
     std::uint64_t bytes() const { return heap_.size() << shift_; }

@@ -19,6 +19,7 @@ class HeapSweep {
     struct Way {
         Direction direction = Direction::Forward;
         float deathWeight = 0;     ///< as of HeapBlocks
+        bool fromBothEnds = true;  ///< the heap has its least size from the beginning
         std::uint64_t plenty = 0;  ///< bytes that a heap may take to spare batches of barriers
         std::uint64_t tooLarge = ~std::uint64_t{0};  ///< bytes of a heap that is of no use
     };
