@@ -122,6 +122,30 @@ TEST(Semantics, DeadChainsVanishWhole) {
     EXPECT_THAT(plan.resources, SizeIs(1));
 }
 
+TEST(Semantics, EveryLevelOfAPassReadsItsInputs) {
+    const Plan plan = soundPlanOf(R"json({"nodes": {"a": {"pass": "source", "size": [8, 8]},
+        "p": {"pass": "pyramid", "in": {"a": "a.color"}}}, "outputs": {"a": "a.color", "color": "p.color"}})json");
+    // To be copied out a changes its layout, which must wait for the last level.
+    EXPECT_THAT(barriersAtEnd(plan), Contains(HasSubstr("a.color general -> transfer source")));
+}
+
+TEST(Semantics, ALayerOfALightThatIsSwitchedOffIsThereAndNeutral) {
+    CompileRequest twoViews = request();
+    twoViews.facts.lightViews = 2;
+    const Plan plan = soundPlanOf(R"json({"nodes": {
+        "light": {"pass": "draw", "view": "light", "forEach": "lights", "when": "false"}},
+        "outputs": {"second": "layer(light.color, 1)"}})json",
+                                  twoViews);
+    EXPECT_EQ(passNamed(plan, "light").iterations, 0U) << "it is only cleared";
+    EXPECT_EQ(resourceNamed(plan, "light.color").layers, 2U);
+}
+
+TEST(Semantics, ALevelOfAnOutputThatIsNotThereIsRefused) {
+    EXPECT_THAT(faultsOf(R"json({"nodes": {"s": {"pass": "shape", "size": [8, 8], "set": {"mips": 0}}},
+        "outputs": {"color": "mip(s.color, 4)"}})json"),
+                ElementsAre(HasSubstr("has 4 levels, found 4")));
+}
+
 TEST(Semantics, MipChainsDownAndUp) {
     const Plan plan = soundPlanOf(R"json({"nodes": {"a": {"pass": "source", "size": [8, 8]},
         "p": {"pass": "pyramid", "in": {"a": "a.color"}},
