@@ -11,9 +11,10 @@ Plan compile(const CompileRequest& request) {
     decideSkips(work);
     resolveExtents(work);
     cullUnneeded(work);
+    orderPasses(work);
     makeResources(work);
     work.faults.throwIfErrors();
-    orderPasses(work);
+    reorderForMemory(work);
     connectPasses(work);
     findLifetimes(work);
     decideKept(work);

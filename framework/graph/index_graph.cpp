@@ -26,7 +26,8 @@ Number wholeNumber(const Expression& expression) {
 
 PortShape shapeOf(const LinkedNode& node, const OutputPort& output) {
     PortShape shape;
-    if (node.role != NodeRole::Pass || !output.bufferElement.empty() || output.modifiedInput != noIndex)
+    shape.isBuffer = !output.bufferElement.empty();
+    if (node.role != NodeRole::Pass || shape.isBuffer || output.modifiedInput != noIndex)
         return shape;
     shape.mips = wholeNumber<std::uint16_t>(output.mips);
     shape.layers = wholeNumber<std::uint16_t>(output.layers);
@@ -61,6 +62,7 @@ void indexNodes(LinkedGraph& graph) {
         if (linked.type == nullptr) continue;
         linked.forEach = description.forEach.value_or(linked.type->forEach);
         linked.hasConditions = hasConditions(*linked.type);
+        linked.isRaster = linked.type->kind == PassKind::Raster;
         linked.hasSideEffect = linked.type->sideEffect;
         const auto& parameters = linked.type->parameters;
         linked.isSpecialized = std::any_of(parameters.begin(), parameters.end(),

@@ -58,6 +58,7 @@ struct PortShape {
     std::uint16_t mips = 0;    ///< 0: computed, or down to 1x1
     std::uint16_t layers = 0;  ///< of an iteration; 0: computed
     Size size = Size::Computed;
+    bool isBuffer = false;
 };
 
 struct LinkedNode {
@@ -65,14 +66,16 @@ struct LinkedNode {
     NodeRole role = NodeRole::Pass;
     ForEach forEach = ForEach::Nothing;
     ViewKind view = ViewKind::Camera;
-    bool hasWhen =
-        false;  ///< its description has "when", and so for "size": the compiler need not look there
-    bool hasSize = false;
-    bool hasConditions = false;  ///< its type has a skipWhen, or an input a neededWhen
-    bool hasSideEffect = false;  ///< its type's
-    bool isSpecialized = false;  ///< a parameter of its type is compiled into the shader
-    Index import = noIndex;      ///< of an Import: index into description.imports
-    Index tileList = noIndex;    ///< the TileList node of this node's domain
+    // What the compiler need not look up in descriptions and manifests. Bits, so that a node fills one line
+    // of the cache.
+    bool hasWhen : 1 = false;  ///< its description has "when", and so for "size"
+    bool hasSize : 1 = false;
+    bool hasConditions : 1 = false;  ///< its type has a skipWhen, or an input a neededWhen
+    bool isRaster : 1 = false;       ///< its type's, as the following
+    bool hasSideEffect : 1 = false;
+    bool isSpecialized : 1 = false;  ///< a parameter of its type is compiled into the shader
+    Index import = noIndex;          ///< of an Import: index into description.imports
+    Index tileList = noIndex;        ///< the TileList node of this node's domain
     Range after;   ///< in LinkedGraph::after: nodes that read what this one overwrites, and so run before it
     Range inputs;  ///< in LinkedGraph::inputs, one for each of the type's inputs, in its order
     Range parameters;              ///< in LinkedGraph::parameters, one for each of the type's parameters

@@ -4,38 +4,6 @@
 
 namespace nephrite::graph {
 
-Layout layoutOf(Use use, InputReads reads, Format format) {
-    switch (use) {
-        case Use::None:
-            return Layout::Undefined;
-        case Use::ComputeRead:
-        case Use::RasterRead:
-            // A depth image cannot be a storage image.
-            return reads == InputReads::StorageImage && !info(format).isDepth ? Layout::General
-                                                                              : Layout::ShaderRead;
-        case Use::ComputeWrite:
-        case Use::ComputeModify:
-        case Use::ComputeLevelRead:
-            return Layout::General;
-        case Use::Indirect:
-            return Layout::Undefined;
-        case Use::ColorAttachment:
-            return Layout::ColorAttachment;
-        case Use::DepthAttachment:
-            return Layout::DepthAttachment;
-        case Use::Clear:
-            return Layout::TransferDestination;
-        case Use::Copy:
-            return Layout::TransferSource;
-    }
-    return Layout::Undefined;
-}
-
-bool writes(Use use) {
-    return use == Use::ComputeWrite || use == Use::ColorAttachment || use == Use::DepthAttachment ||
-           use == Use::Clear || use == Use::ComputeModify;
-}
-
 std::string Plan::nameOf(const Resource& resource) const {
     const std::string port = graph->portName(resource.node, resource.port);
     switch (resource.framesBack) {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "graph/linked_graph.h"
+#include "graph/use.h"
 
 namespace nephrite::graph {
 
@@ -20,34 +21,6 @@ struct Extent {
     std::uint32_t height = 0;
     friend bool operator==(const Extent&, const Extent&) = default;
 };
-
-/// Why a pass touches a resource. Each use has one pipeline stage, access and layout.
-enum class Use : std::uint8_t {
-    None,         ///< before its first use in a frame: contents undefined
-    ComputeRead,  ///< read by a pixel or compute pass
-    ComputeWrite,
-    RasterRead,       ///< read by a raster pass's shader
-    ColorAttachment,  ///< written by a raster pass
-    DepthAttachment,
-    Clear,             ///< cleared to its neutral value
-    Copy,              ///< copied out (a requested output or dump)
-    Indirect,          ///< arguments of an indirect dispatch
-    ComputeModify,     ///< read and written by a pixel or compute pass
-    ComputeLevelRead,  ///< a lower level of its own output, read by an iteration over mips as a storage image
-};
-
-enum class Layout : std::uint8_t {
-    Undefined,
-    General,
-    ShaderRead,
-    ColorAttachment,
-    DepthAttachment,
-    TransferSource,
-    TransferDestination
-};
-
-/// How shaders read images on the device at hand; decides the layout of reads (runtime/ asks gpu/).
-enum class InputReads : std::uint8_t { StorageImage, SampledImage };
 
 enum class NodeState : std::uint8_t { Run, Culled, Skipped };
 
@@ -129,6 +102,7 @@ struct PlannedPass {
     /// writes.
     bool clearsFirst = false;
     bool isRaster = false;
+    bool readsConstants = false;  ///< some input has no resource
     /// It writes every output whole, once, and reads no tile list: nothing of what follows needs a closer
     /// look.
     bool isPlain = false;
@@ -197,7 +171,7 @@ struct RequestedOutput {
 
 /// How passes are ordered and placed in memory where dependencies leave a choice.
 enum class Policy : std::uint8_t {
-    Barriers,  ///< as few barrier batches as the longest chain of dependent passes allows
+    Barriers,  ///< a barrier batch for each link of the longest chain of dependent passes, and few more
     Memory,    ///< as small a heap as can be found in reasonable time
 };
 
@@ -258,19 +232,10 @@ bool isCleared(const Plan& plan, const PlannedPass& pass, Index port);
 /// What a pass that does not run would write must be Kept, and holds its contents since an earlier frame.
 BarrierSchedule scheduleBarriers(const Plan& plan, std::span<const std::uint8_t> runs);
 
-/// The layout an image is in while it is used so.
-Layout layoutOf(Use use, InputReads reads, Format format);
-bool writes(Use use);
-constexpr std::uint32_t bit(Use use) {
-    return 1U << static_cast<std::uint32_t>(use);
-}
-
 /// Why a node runs, is skipped or is culled, as a phrase: `"dipole" reads it`.
 std::string whyOf(const Plan& plan, Index node);
 
 std::string_view name(Policy policy);    ///< "barriers", "memory": as on the command line
 std::string_view name(NodeState state);  ///< "run", "culled", "skipped": the words of the JSON contract
-std::string_view name(Use use);          ///< "compute read"
-std::string_view name(Layout layout);    ///< "shader read"
 
 }  // namespace nephrite::graph

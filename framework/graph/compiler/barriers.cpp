@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "graph/compiler/accesses.h"
+#include "graph/compiler/arena.h"
 
 namespace nephrite::graph {
 namespace {
@@ -39,7 +40,8 @@ bool canJoin(const Wanted& a, const Wanted& b) {
 
 class Scheduler {
   public:
-    Scheduler(const Plan& plan, std::span<const std::uint8_t> runs) : plan_(plan), runs_(runs) {}
+    Scheduler(const Plan& plan, std::span<const std::uint8_t> runs, std::pmr::memory_resource* memory)
+        : plan_(plan), runs_(runs), firstState_(memory), states_(memory), parts_(memory) {}
 
     BarrierSchedule schedule() {
         startFrame();
@@ -116,9 +118,10 @@ class Scheduler {
 
     void useWhole(const Access& access, Index pass, const Resource& resource, State& state) {
         if (needsBarrier(access, state)) {
-            Wanted wanted = wantedFor(access, pass, state);
-            wanted.barrier.range = resource.whole();
-            state.barrier = place(wanted, access.batch);
+            state.barrier = place(state.freeFrom, access.batch);
+            Barrier& barrier = result_.barriers.emplace_back();
+            describe(barrier, access, pass, state);
+            barrier.range = resource.whole();
         }
         advance(access, pass, state);
     }
@@ -133,7 +136,9 @@ class Scheduler {
             for (std::uint32_t layer = range.baseLayer; layer < range.baseLayer + range.layers; ++layer) {
                 const State& state = states[mip * resource.layers + layer];
                 if (!needsBarrier(access, state)) continue;
-                Wanted wanted = wantedFor(access, pass, state);
+                Wanted wanted;
+                wanted.freeFrom = state.freeFrom;
+                describe(wanted.barrier, access, pass, state);
                 wanted.barrier.range = {mip, 1, layer, 1};
                 joinLayers(wanted);
             }
@@ -169,7 +174,8 @@ class Scheduler {
     }
 
     void placeParts(const Wanted& wanted, Index batch, const Resource& resource, State* states) {
-        const Index placed = place(wanted, batch);
+        const Index placed = place(wanted.freeFrom, batch);
+        result_.barriers.push_back(wanted.barrier);
         forEachPart(wanted.barrier.range, resource, states, [&](State& state) { state.barrier = placed; });
     }
 
@@ -192,10 +198,7 @@ class Scheduler {
         return false;
     }
 
-    static Wanted wantedFor(const Access& access, Index pass, const State& state) {
-        Wanted wanted;
-        wanted.freeFrom = state.freeFrom;
-        Barrier& barrier = wanted.barrier;
+    static void describe(Barrier& barrier, const Access& access, Index pass, const State& state) {
         barrier.resource = access.resource;
         barrier.usesBefore = state.reads != 0 ? state.reads : state.writes;
         barrier.writeBefore = state.reads == 0 && (state.writes & writingUses) != 0;
@@ -205,19 +208,17 @@ class Scheduler {
         barrier.aliases = state.sharesMemory;
         barrier.oldLayout = access.discards && state.pass == noIndex ? Layout::Undefined : state.layout;
         barrier.newLayout = access.layout;
-        return wanted;
     }
 
-    /// Adds a barrier to the last batch, or to a new one at `batch`.
-    Index place(const Wanted& wanted, Index batch) {
-        if (result_.batchCount == 0 || wanted.freeFrom > lastBatch_) {
+    /// The next barrier belongs to the last batch, or to a new one at `batch`. Returns its index.
+    Index place(Index freeFrom, Index batch) {
+        if (result_.batchCount == 0 || freeFrom > lastBatch_) {
             lastBatch_ = batch;
             result_.batches[batch].first = static_cast<Index>(result_.barriers.size());
             ++result_.batchCount;
         }
         ++result_.batches[lastBatch_].count;
-        result_.barriers.push_back(wanted.barrier);
-        return static_cast<Index>(result_.barriers.size() - 1);
+        return static_cast<Index>(result_.barriers.size());
     }
 
     static void advance(const Access& access, Index pass, State& state) {
@@ -277,15 +278,16 @@ class Scheduler {
     std::span<const std::uint8_t> runs_;
     BarrierSchedule result_;
     Index lastBatch_ = 0;
-    std::vector<Index> firstState_;  ///< by resource, in states_
-    std::vector<State> states_;      ///< one a resource, or one for each of its levels and layers
-    std::vector<Wanted> parts_;
+    std::pmr::vector<Index> firstState_;  ///< by resource, in states_
+    std::pmr::vector<State> states_;      ///< one a resource, or one for each of its levels and layers
+    std::pmr::vector<Wanted> parts_;
 };
 
 }  // namespace
 
 BarrierSchedule scheduleBarriers(const Plan& plan, std::span<const std::uint8_t> runs) {
-    return Scheduler(plan, runs).schedule();
+    Arena<8192> arena;
+    return Scheduler(plan, runs, arena.memory()).schedule();
 }
 
 }  // namespace nephrite::graph

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "graph/compile.h"
+#include "graph/compiler/arena.h"
 #include "graph/compiler/expression_values.h"
 
 namespace nephrite::graph {
@@ -27,40 +28,44 @@ struct RefusedExtent {
 struct Compilation {
     explicit Compilation(const CompileRequest& compileRequest);
 
+    Arena<16384> arena;  ///< of all the arrays here; phases use it for their own too
+
     const CompileRequest& request;
     const LinkedGraph& graph;
     const ParameterValues& parameters;
     Plan plan;
     Diagnostics faults;
 
-    std::vector<LinkedOutput> requested;  ///< graph outputs, then dumps
+    std::vector<LinkedOutput> dumps;
+    std::pmr::vector<const LinkedOutput*> requested;  ///< graph outputs, then dumps
 
-    std::vector<Switch> switches;           ///< by node
-    std::vector<std::uint32_t> iterations;  ///< by node; 0 where it only clears or does nothing
+    std::pmr::vector<Switch> switches;           ///< by node
+    std::pmr::vector<std::uint32_t> iterations;  ///< by node; 0 where it only clears or does nothing
 
-    std::vector<std::uint8_t>
+    std::pmr::vector<std::uint8_t>
         inputIsNeutral;  ///< by linked input: unconnected, or its source is switched off
-    std::vector<std::uint8_t>
+    std::pmr::vector<std::uint8_t>
         inputIsRead;  ///< by linked input: its node reads the source's image if it is needed
-    std::vector<Index>
+    std::pmr::vector<Index>
         forwards;  ///< by output port, if the graph has modifiers: the port whose contents it has
                    ///< (itself, unless its node is switched off), or noIndex if they are neutral
-    std::vector<Index> nodeOfPort;  ///< by output port, if the graph has modifiers
+    std::pmr::vector<Index> nodeOfPort;  ///< by output port, if the graph has modifiers
 
-    std::vector<Extent> extents;                ///< by output port
-    std::vector<RefusedExtent> refusedExtents;  ///< faults, if their nodes run
-    std::vector<std::uint8_t> isTiled;          ///< by node, if the graph has domains: usesTileList()
-    std::vector<Index> resources;               ///< by output port: index into Plan::resources or noIndex
-    std::vector<Index> older;  ///< by resource, if there is history: the same port one frame earlier
+    std::pmr::vector<Extent> extents;                ///< by output port
+    std::pmr::vector<RefusedExtent> refusedExtents;  ///< faults, if their nodes run
+    std::pmr::vector<std::uint8_t> isTiled;          ///< by node, if the graph has domains: usesTileList()
+    std::pmr::vector<Index> resources;  ///< by output port: index into Plan::resources or noIndex
+    std::pmr::vector<Index> older;      ///< by resource, if there is history: the same port one frame earlier
 
-    std::vector<Index> order;   ///< the nodes that become passes
-    std::vector<Index> passOf;  ///< by node: index into Plan::passes or noIndex
-    std::vector<Index>
+    std::pmr::vector<Index> order;   ///< the nodes that become passes
+    std::pmr::vector<Index> passOf;  ///< by node: index into Plan::passes or noIndex
+    std::pmr::vector<Index>
         levelStarts;  ///< by pass: the first pass of its level; empty: each is a level of its own
-    std::vector<Index> placedAfter;  ///< by node: the source that kept it from standing earlier
+    std::pmr::vector<Index> placedAfter;  ///< by node: the source that kept it from standing earlier
 
     ExpressionValues values;
 
+    std::pmr::memory_resource* memory() { return arena.memory(); }
     Index portIndex(Index node, Index port) const { return graph.nodes[node].formats.first + port; }
     const NodeDescription& description(Index node) const { return graph.description.nodes[node]; }
     const PassType& typeOf(Index node) const { return *graph.nodes[node].type; }

@@ -13,9 +13,8 @@ class PassConnector {
   public:
     PassConnector(Compilation& work, Index node) : work_(work), plan_(work.plan), node_(node) {}
 
-    PlannedPass connect() {
+    void connect(PlannedPass& pass) {
         const LinkedNode& linked = work_.graph.nodes[node_];
-        PlannedPass pass;
         pass.node = node_;
         pass.iterations = work_.runs(node_) ? work_.iterations[node_] : 0;
         pass.view = linked.view;
@@ -27,7 +26,6 @@ class PassConnector {
             pass.tileList = work_.resources[work_.portIndex(linked.tileList, 0)];
         connectInputs(pass, linked);
         connectOutputs(pass, linked);
-        return pass;
     }
 
   private:
@@ -44,17 +42,19 @@ class PassConnector {
 
     void connectInputs(PlannedPass& pass, const LinkedNode& linked) {
         pass.inputs = {static_cast<Index>(plan_.inputs.size()), linked.inputs.count};
-        for (Index i = linked.inputs.first; i < linked.inputs.first + linked.inputs.count; ++i)
-            plan_.inputs.push_back(readOf(i));
+        for (Index i = linked.inputs.first; i < linked.inputs.first + linked.inputs.count; ++i) {
+            InputRead& read = plan_.inputs.emplace_back();
+            connectInput(read, i);
+            pass.readsConstants |= read.resource == noIndex;
+        }
     }
 
-    InputRead readOf(Index i) {
+    void connectInput(InputRead& read, Index i) {
         const LinkedInput& input = work_.graph.inputs[i];
-        InputRead read;
         read.extent = work_.request.view;
         read.mip = input.mip;
         read.layer = input.layer;
-        if (input.sourceNode == noIndex) return read;
+        if (input.sourceNode == noIndex) return;
         read.extent = work_.extents[work_.portIndex(input.sourceNode, input.sourcePort)];
         read.perIteration = work_.graph.nodes[node_].forEach == ForEach::Lights &&
                             work_.graph.nodes[input.sourceNode].forEach == ForEach::Lights &&
@@ -65,7 +65,6 @@ class PassConnector {
             if (read.resource != noIndex) checkSubresources(read, i);
         }
         if (read.mip != every) read.extent = levelExtent(read.extent, read.mip);
-        return read;
     }
 
     Index resourceOf(Index port, std::uint16_t framesBack) const {
@@ -75,16 +74,19 @@ class PassConnector {
         return resource;
     }
 
+    /// Most inputs show all there is, and their resource need not be looked at.
     void checkSubresources(const InputRead& read, Index input) {
-        const Resource& resource = plan_.resources[read.resource];
-        const auto check = [&](std::uint16_t index, std::uint32_t count, std::string_view what) {
-            if (index == every || index < count) return;
-            work_.faults.error(whereOfInput(input), fmt::format("{} has {} {}{}, found {} (the first is 0)",
-                                                                plan_.nameOf(resource), count, what,
-                                                                count == 1 ? "" : "s", index));
-        };
-        check(read.mip, resource.mips, "level");
-        check(read.layer, resource.layers, "layer");
+        if (read.mip != every) check(read, input, read.mip, plan_.resources[read.resource].mips, "level");
+        if (read.layer != every)
+            check(read, input, read.layer, plan_.resources[read.resource].layers, "layer");
+    }
+
+    void check(const InputRead& read, Index input, std::uint32_t index, std::uint32_t count,
+               std::string_view what) {
+        if (index < count) return;
+        work_.faults.error(whereOfInput(input), fmt::format("{} has {} {}{}, found {} (the first is 0)",
+                                                            plan_.nameOf(plan_.resources[read.resource]),
+                                                            count, what, count == 1 ? "" : "s", index));
     }
 
     const SourceLocation& whereOfInput(Index input) const {
@@ -107,12 +109,12 @@ class PassConnector {
             modifies = true;
             InputRead& read = plan_.inputs[pass.inputs.first + modified - linked.inputs.first];
             read.modified = read.resource != noIndex;
-            const bool readsWhatItWrites = linked.type->kind != PassKind::Raster;
+            const bool readsWhatItWrites = !linked.isRaster;
             if (!read.modified && readsWhatItWrites) pass.clearsFirst = true;
         }
         // A tile list counts its tiles; a pass over tiles leaves all others as they are.
         if (linked.role == NodeRole::TileList || pass.tileList != noIndex) pass.clearsFirst = true;
-        pass.isRaster = linked.type->kind == PassKind::Raster;
+        pass.isRaster = linked.isRaster;
         pass.isPlain = !modifies && !pass.clearsFirst && pass.iterations > 0 && pass.forEach != ForEach::Mips;
     }
 
@@ -132,10 +134,10 @@ void connectPasses(Compilation& work) {
     Index batch = 0;
     for (const Index node : work.order) {
         work.passOf[node] = static_cast<Index>(plan.passes.size());
-        PlannedPass pass = PassConnector(work, node).connect();
+        PlannedPass& pass = plan.passes.emplace_back();
+        PassConnector(work, node).connect(pass);
         pass.firstBatch = batch;
         batch += pass.batchCount();
-        plan.passes.push_back(pass);
         if (work.graph.nodes[node].role == NodeRole::TileList)
             plan.tileLists.push_back(plan.outputs[pass.outputs.first]);
     }

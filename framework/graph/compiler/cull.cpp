@@ -19,7 +19,8 @@ struct Demand {
 
 class Culling {
   public:
-    explicit Culling(Compilation& work) : work_(work), demands_(work.graph.nodes.size()) {}
+    explicit Culling(Compilation& work)
+        : work_(work), demands_(work.graph.nodes.size(), work.memory()), late_(work.memory()) {}
 
     void run() {
         demandFromOutside();
@@ -41,7 +42,7 @@ class Culling {
             demands_[node].reason = Reason::SideEffect;
         }
         for (Index i = 0; i < work_.requested.size(); ++i) {
-            const LinkedOutput& output = work_.requested[i];
+            const LinkedOutput& output = *work_.requested[i];
             connect(output.node);
             const Index source = work_.sourceOf({.sourceNode = output.node, .sourcePort = output.port});
             const Index node = source == noIndex ? output.node : source;
@@ -57,12 +58,13 @@ class Culling {
     /// Tells the sources of `node` what it asks of them.
     void sweep(Index node) {
         demands_[node].swept = true;
+        const bool connected = demands_[node].connected;
         const bool reads = runs(node) && work_.iterations[node] > 0;
         const Range inputs = work_.graph.nodes[node].inputs;
         for (Index i = inputs.first; i < inputs.first + inputs.count; ++i) {
             const LinkedInput& input = work_.graph.inputs[i];
             if (input.sourceNode == noIndex) continue;
-            if (demands_[node].connected) connect(input.sourceNode);
+            if (connected) connect(input.sourceNode);
             if (!reads) {
                 demands_[input.sourceNode].idleReader = node;
             } else if (!work_.inputIsRead[i] && !work_.inputIsNeutral[i]) {
@@ -83,8 +85,8 @@ class Culling {
 
     void want(Index node, Index reader) {
         Demand& demand = demands_[node];
-        if (!demand.wanted) demand.reason = Reason::ReadByPass;
-        if (demand.reason == Reason::ReadByPass) demand.other = reader;
+        demand.reason = demand.wanted ? demand.reason : Reason::ReadByPass;
+        demand.other = demand.reason == Reason::ReadByPass ? reader : demand.other;
         const bool isNews = !demand.wanted || !demand.connected;
         demand.wanted = demand.connected = true;
         if (isNews && demand.swept) late_.push_back(node);
@@ -113,8 +115,8 @@ class Culling {
     }
 
     Compilation& work_;
-    std::vector<Demand> demands_;
-    std::vector<Index> late_;  ///< swept before all their demands were known
+    std::pmr::vector<Demand> demands_;
+    std::pmr::vector<Index> late_;  ///< swept before all their demands were known
 };
 
 }  // namespace

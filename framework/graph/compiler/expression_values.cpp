@@ -25,11 +25,8 @@ Index indexNamed(const std::vector<T>& elements, std::string_view name) {
 }  // namespace
 
 ExpressionValues::ExpressionValues(const LinkedGraph& graph, const ParameterValues& parameters,
-                                   const SceneFacts& facts, const std::vector<std::uint8_t>& inputIsNeutral)
-    : graph_(graph), parameters_(parameters), facts_(facts), inputIsNeutral_(inputIsNeutral) {
-    const auto& declared = graph.description.parameters;
-    for (Index i = 0; i < declared.size(); ++i) graphParameters_.emplace(declared[i].name, i);
-}
+                                   const SceneFacts& facts, std::span<const std::uint8_t> inputIsNeutral)
+    : graph_(graph), parameters_(parameters), facts_(facts), inputIsNeutral_(inputIsNeutral) {}
 
 double ExpressionValues::at(Index node, const Expression& expression) {
     const auto& program = expression.program();
@@ -56,18 +53,16 @@ const std::vector<ExpressionValues::ResolvedName>& ExpressionValues::resolve(Ind
     return entry->second;
 }
 
-ExpressionValues::ResolvedName ExpressionValues::resolve(Index node, const ExpressionName& name) const {
+ExpressionValues::ResolvedName ExpressionValues::resolve(Index node, const ExpressionName& name) {
     const PassType& type = *graph_.nodes[node].type;
     ResolvedName result{.space = name.space, .element = name.element.value_or(0)};
     switch (name.space) {
         case ExpressionName::Space::Parameter:
             result.index = indexNamed(type.parameters, name.name);
             break;
-        case ExpressionName::Space::GraphParameter: {
-            const auto found = graphParameters_.find(name.name);
-            result.index = found == graphParameters_.end() ? noIndex : found->second;
+        case ExpressionName::Space::GraphParameter:
+            result.index = graphParameterNamed(name.name);
             break;
-        }
         case ExpressionName::Space::SceneFact: {
             const std::optional<double> fact = facts_.find(name.name);
             if (!fact) throwUnknown(name);
@@ -80,6 +75,15 @@ ExpressionValues::ResolvedName ExpressionValues::resolve(Index node, const Expre
     }
     if (result.index == noIndex) throwUnknown(name);
     return result;
+}
+
+Index ExpressionValues::graphParameterNamed(std::string_view name) {
+    const auto& declared = graph_.description.parameters;
+    if (graphParameters_.empty()) {
+        for (Index i = 0; i < declared.size(); ++i) graphParameters_.emplace(declared[i].name, i);
+    }
+    const auto found = graphParameters_.find(name);
+    return found == graphParameters_.end() ? noIndex : found->second;
 }
 
 double ExpressionValues::valueOf(Index node, const ResolvedName& name) const {

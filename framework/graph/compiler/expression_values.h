@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string_view>
 #include <unordered_map>
 #include <vector>
@@ -18,7 +19,7 @@ class ExpressionValues {
   public:
     /// The references must outlive the object; `inputIsNeutral` has an entry for each of graph.inputs.
     ExpressionValues(const LinkedGraph& graph, const ParameterValues& parameters, const SceneFacts& facts,
-                     const std::vector<std::uint8_t>& inputIsNeutral);
+                     std::span<const std::uint8_t> inputIsNeutral);
 
     /// The value of `expression` at `node`. Throws InputError for a name that does not exist.
     double at(Index node, const Expression& expression);
@@ -34,14 +35,15 @@ class ExpressionValues {
         double fact = 0;  ///< a scene fact's value
     };
     const std::vector<ResolvedName>& resolve(Index node, const Expression& expression);
-    ResolvedName resolve(Index node, const ExpressionName& name) const;
+    ResolvedName resolve(Index node, const ExpressionName& name);
     double valueOf(Index node, const ResolvedName& name) const;
 
     const LinkedGraph& graph_;
     const ParameterValues& parameters_;
     const SceneFacts& facts_;
-    const std::vector<std::uint8_t>& inputIsNeutral_;
-    std::unordered_map<std::string_view, Index> graphParameters_;
+    std::span<const std::uint8_t> inputIsNeutral_;
+    Index graphParameterNamed(std::string_view name);
+    std::unordered_map<std::string_view, Index> graphParameters_;  ///< filled when first asked
     std::unordered_map<const Expression*, std::vector<ResolvedName>> resolved_;
 };
 

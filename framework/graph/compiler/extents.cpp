@@ -28,12 +28,29 @@ class ExtentResolver {
   public:
     explicit ExtentResolver(Compilation& work) : work_(work) {}
 
-    Extent resolve(Index node, Index port) {
-        const PortShape& shape = work_.graph.shapes[work_.portIndex(node, port)];
-        if (shape.size == PortShape::Size::Picture) return work_.request.view;
-        const bool isFixed = shape.size == PortShape::Size::Fixed && shape.width <= work_.request.maxExtent &&
-                             shape.height <= work_.request.maxExtent;
-        return isFixed ? Extent{shape.width, shape.height} : compute(node, port);
+    /// Of every port whose size is a number or the picture's. True if those are all there are.
+    bool resolveKnown() {
+        const std::uint32_t limit = work_.request.maxExtent;
+        bool isAll = true;
+        for (Index port = 0; port < work_.extents.size(); ++port) {
+            const PortShape& shape = work_.graph.shapes[port];
+            const bool isPicture = shape.size == PortShape::Size::Picture;
+            work_.extents[port] = isPicture ? work_.request.view : Extent{shape.width, shape.height};
+            isAll &= isKnown(shape, limit);
+        }
+        return isAll;
+    }
+
+    /// Of every port that expressions or other ports decide on.
+    void resolveOthers() {
+        for (const Index node : work_.graph.declarationOrder) {
+            const Index ports = work_.graph.nodes[node].formats.count;
+            for (Index port = 0; port < ports; ++port) {
+                const Index flat = work_.portIndex(node, port);
+                if (!isKnown(work_.graph.shapes[flat], work_.request.maxExtent))
+                    work_.extents[flat] = compute(node, port);
+            }
+        }
     }
 
     /// Of the levels that an input shows.
@@ -43,6 +60,11 @@ class ExtentResolver {
     }
 
   private:
+    static bool isKnown(const PortShape& shape, std::uint32_t limit) {
+        return shape.size == PortShape::Size::Picture ||
+               (shape.size == PortShape::Size::Fixed && shape.width <= limit && shape.height <= limit);
+    }
+
     Extent compute(Index node, Index port) {
         const OutputPort& output = work_.typeOf(node).outputs[port];
         const LinkedNode& linked = work_.graph.nodes[node];
@@ -179,12 +201,7 @@ void findTiled(Compilation& work, const ExtentResolver& resolver) {
 void resolveExtents(Compilation& work) {
     checkView(work);
     ExtentResolver resolver(work);
-    for (const Index node : work.graph.declarationOrder) {
-        const Index ports = work.graph.nodes[node].formats.count;
-        for (Index port = 0; port < ports; ++port) {
-            work.extents[work.portIndex(node, port)] = resolver.resolve(node, port);
-        }
-    }
+    if (!resolver.resolveKnown()) resolver.resolveOthers();
     findTiled(work, resolver);
 }
 

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "graph/compiler/arena.h"
 #include "graph/compiler/heap_past.h"
 #include "graph/compiler/heap_sweep.h"
 
@@ -59,7 +60,8 @@ HeapLayout placeTightly(const HeapSweep& sweep) {
 }  // namespace
 
 HeapLayout placeInHeap(std::span<const MemoryClaim> claims, Policy policy) {
-    const HeapSweep sweep(claims);
+    Arena<8192> arena;
+    const HeapSweep sweep(claims, arena.memory());
     HeapLayout layout = policy == Policy::Memory ? placeTightly(sweep) : placeQuickly(sweep);
     layout.peakBytes = sweep.peakBytes();
     return layout;

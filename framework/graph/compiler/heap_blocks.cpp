@@ -4,7 +4,9 @@
 #include <algorithm>
 
 namespace nephrite::graph {
-HeapBlocks::HeapBlocks(float deathWeight, std::uint64_t start) : deathWeight_(deathWeight) {
+
+HeapBlocks::HeapBlocks(float deathWeight, std::uint64_t start, std::pmr::memory_resource* memory)
+    : deathWeight_(deathWeight), stretches_(memory), blocks_(memory) {
     blocks_.reserve(64);
     if (start == 0) return;
     top_ = newBlock();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory_resource>
 #include <vector>
 
 #include "graph/compiler/heap_gaps.h"
@@ -18,7 +19,7 @@ class HeapBlocks {
   public:
     /// `deathWeight`: what share of a free block left over is as bad as one pass between two deaths. `start`:
     /// the size it has from the beginning.
-    HeapBlocks(float deathWeight, std::uint64_t start);
+    HeapBlocks(float deathWeight, std::uint64_t start, std::pmr::memory_resource* memory);
 
     /// A block of `units` > 0, alive until release() and used until pass `last`; noIndex if no free block is
     /// large enough.
@@ -68,7 +69,7 @@ class HeapBlocks {
     float deathWeight_;
     HeapGaps gaps_;
     HeapStretches stretches_;
-    std::vector<Block> blocks_;
+    std::pmr::vector<Block> blocks_;
     Index spare_ = noIndex;         ///< blocks to be used again
     Index firstWaiting_ = noIndex;  ///< free blocks that the table of gaps has no room for
     Index top_ = noIndex;           ///< the highest block

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <memory_resource>
 #include <vector>
 
 #include "graph/linked_graph.h"
@@ -12,7 +13,7 @@ namespace nephrite::graph {
 /// Every operation takes constant time, taking from an end as long as it takes stretches away.
 class HeapStretches {
   public:
-    HeapStretches() { stretches_.reserve(64); }
+    explicit HeapStretches(std::pmr::memory_resource* memory) : stretches_(memory) { stretches_.reserve(64); }
 
     /// What happened to some bytes before.
     struct Past {
@@ -87,7 +88,7 @@ class HeapStretches {
         return stretch;
     }
 
-    std::vector<Stretch> stretches_;
+    std::pmr::vector<Stretch> stretches_;
     Index spare_ = noIndex;  ///< stretches to be used again
 };
 

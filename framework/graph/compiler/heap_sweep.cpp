@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <bit>
 
+#include "graph/compiler/arena.h"
 #include "graph/compiler/heap_blocks.h"
 
 namespace nephrite::graph {
 
-HeapSweep::HeapSweep(std::span<const MemoryClaim> claims) : claims_(claims) {
+HeapSweep::HeapSweep(std::span<const MemoryClaim> claims, std::pmr::memory_resource* memory)
+    : claims_(claims), born_(memory), dying_(memory) {
     for (const MemoryClaim& claim : claims) {
         passes_ = std::max(passes_, claim.last + 1);
         unit_ = std::max(unit_, claim.alignment);
@@ -32,14 +34,14 @@ HeapSweep::HeapSweep(std::span<const MemoryClaim> claims) : claims_(claims) {
 /// The heap while a sweep goes on.
 class HeapSweep::Sweeper {
   public:
-    Sweeper(const HeapSweep& sweep, const Way& way)
+    Sweeper(const HeapSweep& sweep, const Way& way, std::pmr::memory_resource* memory)
         : sweep_(sweep),
           forward_(way.direction == Direction::Forward),
           leaving_(forward_ ? sweep.dying_ : sweep.born_),
           shift_(std::countr_zero(sweep.unit_)),
           plenty_(way.plenty >> shift_),
-          heap_(way.deathWeight, way.fromBothEnds ? units(sweep.peak_) : 0),
-          blockOf_(sweep.claims_.size()) {}
+          heap_(way.deathWeight, way.fromBothEnds ? units(sweep.peak_) : 0, memory),
+          blockOf_(sweep.claims_.size(), memory) {}
 
     std::uint64_t bytes() const { return heap_.size() << shift_; }
 
@@ -78,14 +80,15 @@ class HeapSweep::Sweeper {
     int shift_;
     std::uint64_t plenty_;
     HeapBlocks heap_;
-    std::vector<Index> blockOf_;
+    std::pmr::vector<Index> blockOf_;
     Index freed_ = 0;  ///< passes before it are waited for: what died in them is free
 };
 
 std::optional<HeapLayout> HeapSweep::place(const Way& way) const {
     const bool forward = way.direction == Direction::Forward;
     const Lists& arriving = forward ? born_ : dying_;
-    Sweeper sweeper(*this, way);
+    Arena<16384> arena;
+    Sweeper sweeper(*this, way, arena.memory());
     HeapLayout layout;
     layout.places.resize(claims_.size());
     for (Index time = 0; time < passes_; ++time) {

@@ -1,6 +1,7 @@
 // One sweep through the passes that gives every claim its place as it comes to life.
 #pragma once
 
+#include <memory_resource>
 #include <optional>
 #include <span>
 #include <vector>
@@ -12,8 +13,8 @@ namespace nephrite::graph {
 /// Claims as sweeps need them, prepared once for any number of sweeps.
 class HeapSweep {
   public:
-    /// The claims must outlive this. A claim's first pass is not after its last.
-    explicit HeapSweep(std::span<const MemoryClaim> claims);
+    /// The claims and the memory must outlive this. A claim's first pass is not after its last.
+    HeapSweep(std::span<const MemoryClaim> claims, std::pmr::memory_resource* memory);
 
     enum class Direction : std::uint8_t { Forward, Backward };
     struct Way {
@@ -40,8 +41,9 @@ class HeapSweep {
     class Sweeper;
     /// Claims linked by a pass they have in common, in their own order.
     struct Lists {
-        std::vector<Index> heads;  ///< by pass
-        std::vector<Index> next;   ///< by claim
+        explicit Lists(std::pmr::memory_resource* memory) : heads(memory), next(memory) {}
+        std::pmr::vector<Index> heads;  ///< by pass
+        std::pmr::vector<Index> next;   ///< by claim
     };
 
     std::uint64_t findPeak() const;

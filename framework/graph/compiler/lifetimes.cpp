@@ -12,10 +12,10 @@ void findLifetimes(Compilation& work) {
     for (Index i = 0; i < plan.passes.size(); ++i) {
         forEachAccess(plan, plan.passes[i], [&](const Access& access) {
             Resource& resource = plan.resources[access.resource];
-            if (resource.first == noIndex) resource.first = i;
+            resource.first = std::min(resource.first, i);  // noIndex is the greatest
             resource.last = i;
             resource.uses |= access.uses;
-            if (access.mip != every || access.layer != every) resource.bySubresource = true;
+            resource.bySubresource |= access.mip != every || access.layer != every;
             ++plan.naiveBarriers;
         });
     }
@@ -24,10 +24,10 @@ void findLifetimes(Compilation& work) {
         if (output.resource == noIndex) continue;
         ++plan.naiveBarriers;
         Resource& resource = plan.resources[output.resource];
-        if (resource.first == noIndex) resource.first = lastPass;
+        resource.first = std::min(resource.first, lastPass);
         resource.last = lastPass;
         resource.uses |= bit(Use::Copy);
-        if (output.mip != every || output.layer != every) resource.bySubresource = true;
+        resource.bySubresource |= output.mip != every || output.layer != every;
     }
 }
 

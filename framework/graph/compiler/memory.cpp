@@ -20,14 +20,14 @@ std::uint64_t addSaturating(std::uint64_t a, std::uint64_t b) {
 
 /// The Transient resources in the order of their first pass, and what they claim.
 struct Claims {
-    std::vector<Index> resources;
-    std::vector<MemoryClaim> claims;
+    std::pmr::vector<Index> resources;
+    std::pmr::vector<MemoryClaim> claims;
 };
 
 /// An unused output still is written: every resource here has a first and a last pass.
 Claims makeClaims(Compilation& work) {
     Plan& plan = work.plan;
-    Claims result;
+    Claims result{std::pmr::vector<Index>(work.memory()), std::pmr::vector<MemoryClaim>(work.memory())};
     result.resources.reserve(plan.resources.size());
     result.claims.reserve(plan.resources.size());
     for (const PlannedPass& pass : plan.passes) {
@@ -48,14 +48,14 @@ Claims makeClaims(Compilation& work) {
 }
 
 /// Every claim beside the others.
-HeapLayout placeApart(const std::vector<MemoryClaim>& claims) {
+HeapLayout placeApart(std::span<const MemoryClaim> claims, std::pmr::memory_resource* memory) {
     HeapLayout layout;
     for (const MemoryClaim& claim : claims) {
         layout.bytes = (layout.bytes + claim.alignment - 1) / claim.alignment * claim.alignment;
         layout.places.push_back({.offset = layout.bytes});
         layout.bytes += claim.bytes;
     }
-    layout.peakBytes = HeapSweep(claims).peakBytes();
+    layout.peakBytes = HeapSweep(claims, memory).peakBytes();
     return layout;
 }
 
@@ -64,8 +64,8 @@ HeapLayout placeApart(const std::vector<MemoryClaim>& claims) {
 void placeInMemory(Compilation& work) {
     Plan& plan = work.plan;
     const Claims claims = makeClaims(work);
-    const HeapLayout layout =
-        work.request.plain ? placeApart(claims.claims) : placeInHeap(claims.claims, work.request.policy);
+    const HeapLayout layout = work.request.plain ? placeApart(claims.claims, work.memory())
+                                                 : placeInHeap(claims.claims, work.request.policy);
     plan.heapBytes = layout.bytes;
     for (std::size_t i = 0; i < claims.resources.size(); ++i) {
         Resource& resource = plan.resources[claims.resources[i]];

@@ -10,6 +10,28 @@
 namespace nephrite::graph {
 namespace {
 
+/// Nodes that are skipped although one of their ports is requested: their outputs are cleared.
+std::pmr::vector<Index> findOnlyCleared(Compilation& work) {
+    std::pmr::vector<Index> result(work.memory());
+    for (const LinkedOutput* output : work.requested) {
+        const bool isOff = work.sourceOf({output->node, output->port}) == noIndex || work.forwards.empty();
+        if (isOff && work.plan.nodes[output->node].state == NodeState::Skipped)
+            result.push_back(output->node);
+    }
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+}
+
+/// Every node after those it needs, those that are only cleared last.
+void listPasses(Compilation& work) {
+    work.order.reserve(work.graph.nodes.size());
+    for (const Index node : work.graph.declarationOrder) {
+        if (work.runs(node) && work.graph.nodes[node].role != NodeRole::Import) work.order.push_back(node);
+    }
+    for (const Index node : findOnlyCleared(work)) work.order.push_back(node);
+}
+
 /// It only clears.
 bool readsNothing(const Compilation& work, Index node) {
     return !work.runs(node) || work.iterations[node] == 0;
@@ -53,8 +75,8 @@ void forEachSource(const Compilation& work, Index node, Visit visit) {
 }
 
 /// Levels of the nodes in work.order, which lists sources before readers.
-std::vector<Index> findLevels(Compilation& work) {
-    std::vector<Index> levels(work.graph.nodes.size(), 0);
+std::pmr::vector<Index> findLevels(Compilation& work) {
+    std::pmr::vector<Index> levels(work.graph.nodes.size(), 0, work.memory());
     Index highest = 0;
     for (const Index node : work.order) {
         Index level = 0;
@@ -73,13 +95,13 @@ std::vector<Index> findLevels(Compilation& work) {
 }
 
 /// Stable counting sort of work.order.
-void sortByLevel(Compilation& work, const std::vector<Index>& levels) {
+void sortByLevel(Compilation& work, const std::pmr::vector<Index>& levels) {
     // Outputs that are only cleared come one level later than all else, also where nothing else is.
-    std::vector<Index> next(work.order.size() + 2, 0);
+    std::pmr::vector<Index> next(work.order.size() + 2, 0, work.memory());
     for (const Index node : work.order) ++next[levels[node] + 1];
     for (std::size_t level = 1; level < next.size(); ++level) next[level] += next[level - 1];
-    const std::vector<Index> starts(next);
-    std::vector<Index> sorted(work.order.size());
+    const std::pmr::vector<Index> starts(next, work.memory());
+    std::pmr::vector<Index> sorted(work.order.size(), work.memory());
     work.levelStarts.resize(work.order.size());
     for (const Index node : work.order) {
         const Index pass = next[levels[node]]++;
@@ -128,7 +150,7 @@ OrderProblem orderProblem(const Compilation& work) {
 }
 
 void sortForMemory(Compilation& work) {
-    std::vector<Index> sorted;
+    std::pmr::vector<Index> sorted(work.memory());
     for (const Index i : orderForMemory(orderProblem(work))) sorted.push_back(work.order[i]);
     work.order = std::move(sorted);
     std::vector<Index> position(work.graph.nodes.size(), 0);
@@ -146,13 +168,12 @@ void sortForMemory(Compilation& work) {
 
 void orderPasses(Compilation& work) {
     work.placedAfter.assign(work.graph.nodes.size(), noIndex);
-    if (work.request.plain) return;
-    switch (work.request.policy) {
-        case Policy::Barriers:
-            return sortByLevel(work, findLevels(work));
-        case Policy::Memory:
-            return sortForMemory(work);
-    }
+    listPasses(work);
+    if (!work.request.plain && work.request.policy == Policy::Barriers) sortByLevel(work, findLevels(work));
+}
+
+void reorderForMemory(Compilation& work) {
+    if (!work.request.plain && work.request.policy == Policy::Memory) sortForMemory(work);
 }
 
 }  // namespace nephrite::graph

@@ -17,11 +17,14 @@ void resolveExtents(Compilation& work);
 /// Which nodes no requested output or side effect needs. Fills Plan::nodes.
 void cullUnneeded(Compilation& work);
 
+/// The nodes that become passes, in execution order.
+void orderPasses(Compilation& work);
+
 /// The resources of all nodes that run or are cleared, with format, levels, layers and bytes.
 void makeResources(Compilation& work);
 
-/// The nodes in execution order, by the policy asked for.
-void orderPasses(Compilation& work);
+/// Another execution order, if memory is to be saved: now it is known how much each resource takes.
+void reorderForMemory(Compilation& work);
 
 /// The passes in that order: what each reads and writes.
 void connectPasses(Compilation& work);

@@ -1,4 +1,5 @@
-// Phase: the resources that nodes write, and the images that come from outside.
+// Phase: the resources that nodes write, numbered in execution order so that what passes use lies together in
+// memory, and the images that come from outside.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -30,6 +31,14 @@ class ResourceMaker {
             iterateOverMips(ports);
     }
 
+    /// Its domain may be an earlier frame's, of a node that comes later.
+    void measureTileList() {
+        const LinkedNode& linked = work_.graph.nodes[node_];
+        Resource& resource = work_.plan.resources[work_.resources[linked.formats.first]];
+        resource.extent.width = tileListLength(linked);
+        measureBuffer(resource, linked.type->outputs.front());
+    }
+
   private:
     void iterateOverMips(Range ports) {
         const std::uint32_t mips = work_.plan.resources[work_.resources[ports.first]].mips;
@@ -57,26 +66,25 @@ class ResourceMaker {
 
     Index make(Index port) {
         const LinkedNode& linked = work_.graph.nodes[node_];
-        Resource resource;
+        const Index flat = linked.formats.first + port;
+        const PortShape& shape = work_.graph.shapes[flat];
+        Resource& resource = work_.plan.resources.emplace_back();
         resource.node = node_;
         resource.port = port;
-        resource.format = work_.graph.formats[linked.formats.first + port];
-        resource.extent = work_.extents[linked.formats.first + port];
-        const OutputPort& output = linked.type->outputs[port];
-        resource.isBuffer = !output.bufferElement.empty();
+        resource.format = work_.graph.formats[flat];
+        resource.extent = work_.extents[flat];
+        resource.isBuffer = shape.isBuffer;
         if (linked.role == NodeRole::Import) {
             importImage(resource);
-        } else if (linked.role == NodeRole::TileList) {
-            resource.extent.width = tileListLength(linked);
-            measureBuffer(resource, output);
         } else if (resource.isBuffer) {
             // Vulkan has no empty buffers: one without elements is given room for one, which nothing writes.
             resource.extent.width = std::max(resource.extent.width, 1U);
-            measureBuffer(resource, output);
+            measureBuffer(resource, linked.type->outputs[port]);
         } else {
-            shapeImage(resource, declarationOf(port));
+            if (linked.isRaster) checkRasterExtent(resource, linked.type->outputs[port]);
+            countParts(resource, shape);
+            measureImage(resource);
         }
-        work_.plan.resources.push_back(resource);
         return static_cast<Index>(work_.plan.resources.size() - 1);
     }
 
@@ -103,7 +111,8 @@ class ResourceMaker {
     /// layer room for every tile.
     std::uint32_t tileListLength(const LinkedNode& linked) const {
         const LinkedInput& input = work_.graph.inputs[linked.inputs.first];
-        const Index domain = work_.resources[work_.contentsOf(input)];
+        const Index port = work_.contentsOf(input);
+        const Index domain = port == noIndex ? noIndex : work_.resources[port];
         if (domain == noIndex) return 1;
         const Extent extent = input.mip == every
                                   ? work_.plan.resources[domain].extent
@@ -139,11 +148,12 @@ class ResourceMaker {
         return declaration;
     }
 
-    void shapeImage(Resource& resource, const Declaration& declaration) {
-        const FormatInfo& format = info(resource.format);
+    /// Most images have one level and one layer, and their manifest need not be looked at.
+    void countParts(Resource& resource, const PortShape& shape) {
+        const bool overLights = work_.graph.nodes[node_].forEach == ForEach::Lights;
+        if (shape.mips == 1 && shape.layers == 1 && !overLights) return;
+        const Declaration declaration = declarationOf(resource.port);
         const OutputPort& output = *declaration.port;
-        checkRasterExtent(resource, output);
-        const PortShape& shape = work_.graph.shapes[work_.portIndex(node_, resource.port)];
         if (shape.mips != 1) {
             const std::uint32_t fullChain = fullMipCount(resource.extent);
             const std::uint32_t mips = number(resource, declaration, output.mips, "mip levels", 0, 32);
@@ -153,10 +163,13 @@ class ResourceMaker {
             resource.layersPerIteration =
                 number(resource, declaration, output.layers, "layers", 1, work_.request.maxLayers);
         resource.layers = allLayers(resource, declaration);
+    }
+
+    void measureImage(Resource& resource) {
         const double bytes =
-            imageBytes(resource.extent, resource.mips, resource.layers, format.bytesPerPixel);
+            imageBytes(resource.extent, resource.mips, resource.layers, info(resource.format).bytesPerPixel);
         if (bytes > maxImageBytes) {
-            fault(output.where, resource,
+            fault(declarationOf(resource.port).port->where, resource,
                   fmt::format("an image of {} bytes, expected at most {}", bytes, maxImageBytes));
         } else {
             resource.bytes = static_cast<std::uint64_t>(bytes);
@@ -164,7 +177,6 @@ class ResourceMaker {
     }
 
     void checkRasterExtent(const Resource& resource, const OutputPort& output) {
-        if (work_.typeOf(node_).kind != PassKind::Raster) return;
         const Extent first = work_.extents[work_.portIndex(node_, 0)];
         if (resource.extent == first) return;
         fault(output.where, resource,
@@ -225,8 +237,8 @@ class HistoryMaker {
                 if (work_.inputIsRead[i]) require(work_.graph.inputs[i]);
             }
         }
-        for (const LinkedOutput& output : work_.requested)
-            require({output.node, output.port, output.framesBack});
+        for (const LinkedOutput* output : work_.requested)
+            require({output->node, output->port, output->framesBack});
     }
 
   private:
@@ -257,16 +269,6 @@ class HistoryMaker {
     Compilation& work_;
 };
 
-/// Nodes that are skipped although one of their ports is requested: their outputs are cleared.
-std::vector<std::uint8_t> findOnlyCleared(const Compilation& work) {
-    std::vector<std::uint8_t> result(work.graph.nodes.size(), 0);
-    for (const LinkedOutput& output : work.requested) {
-        if (work.sourceOf({output.node, output.port}) == noIndex || work.forwards.empty())
-            result[output.node] = work.plan.nodes[output.node].state == NodeState::Skipped;
-    }
-    return result;
-}
-
 /// The one level or layer that is wanted must be there.
 void checkParts(Compilation& work, const LinkedOutput& output, const Resource& resource) {
     const auto check = [&](std::uint16_t index, std::uint32_t count, std::string_view what) {
@@ -281,7 +283,7 @@ void checkParts(Compilation& work, const LinkedOutput& output, const Resource& r
 
 void findRequestedResources(Compilation& work) {
     for (std::size_t i = 0; i < work.requested.size(); ++i) {
-        const LinkedOutput& output = work.requested[i];
+        const LinkedOutput& output = *work.requested[i];
         Index port = work.contentsOf({output.node, output.port});
         if (port == noIndex) port = work.portIndex(output.node, output.port);
         Index resource = work.resources[port];
@@ -301,20 +303,31 @@ void reportExtents(Compilation& work) {
     }
 }
 
+/// Nothing comes before an image from outside, and nothing is run for it.
+void makeImported(Compilation& work) {
+    if (work.graph.description.imports.empty()) return;
+    for (Index node = 0; node < work.graph.nodes.size(); ++node) {
+        if (work.graph.nodes[node].role == NodeRole::Import && work.runs(node))
+            ResourceMaker(work, node).makeAll();
+    }
+}
+
+void measureTileLists(Compilation& work) {
+    for (const Index node : work.order) {
+        if (work.graph.nodes[node].role == NodeRole::TileList) ResourceMaker(work, node).measureTileList();
+    }
+}
+
 }  // namespace
 
 void makeResources(Compilation& work) {
     reportExtents(work);
-    const std::vector<std::uint8_t> onlyCleared = findOnlyCleared(work);
-    work.plan.resources.reserve(work.graph.formats.size());
-    work.order.reserve(work.graph.nodes.size());
-    for (const Index node : work.graph.declarationOrder) {
-        if (work.runs(node) || onlyCleared[node]) ResourceMaker(work, node).makeAll();
-        if (work.runs(node) && work.graph.nodes[node].role != NodeRole::Import) work.order.push_back(node);
-    }
-    for (const Index node : work.graph.declarationOrder) {
-        if (onlyCleared[node]) work.order.push_back(node);
-    }
+    std::size_t count = work.graph.description.imports.size();
+    for (const Index node : work.order) count += work.graph.nodes[node].formats.count;
+    work.plan.resources.reserve(count);
+    makeImported(work);
+    for (const Index node : work.order) ResourceMaker(work, node).makeAll();
+    if (work.graph.hasDomains) measureTileLists(work);
     if (work.graph.hasHistory) HistoryMaker(work).makeAll();
     findRequestedResources(work);
 }

@@ -16,10 +16,7 @@ bool isKeepable(const Plan& plan, const PlannedPass& pass) {
 /// Compiled without an input, or for a parameter's value.
 bool isSpecialized(const Plan& plan, const PlannedPass& pass) {
     if (plan.graph->nodes[pass.node].isSpecialized) return true;
-    for (const InputRead& read : slice(plan.inputs, pass.inputs)) {
-        if (read.resource == noIndex) return true;
-    }
-    return false;
+    return pass.readsConstants;
 }
 
 }  // namespace
@@ -28,9 +25,9 @@ void countSkips(Compilation& work) {
     Plan& plan = work.plan;
     const bool keeps = work.request.keep != Keep::Nothing;
     for (Index node = 0; node < plan.nodes.size(); ++node) {
-        if (plan.graph->nodes[node].role != NodeRole::Pass) continue;
-        if (plan.nodes[node].state == NodeState::Culled) ++plan.skips.notNeeded;
-        if (plan.nodes[node].state == NodeState::Skipped) ++plan.skips.neutral;
+        const bool isPass = plan.graph->nodes[node].role == NodeRole::Pass;
+        plan.skips.notNeeded += isPass && plan.nodes[node].state == NodeState::Culled ? 1 : 0;
+        plan.skips.neutral += isPass && plan.nodes[node].state == NodeState::Skipped ? 1 : 0;
     }
     for (const PlannedPass& pass : plan.passes) {
         if (keeps && isKeepable(plan, pass)) ++plan.skips.keepable;

@@ -8,7 +8,6 @@ namespace {
 Switch switchOf(Compilation& work, Index node) {
     const LinkedNode& linked = work.graph.nodes[node];
     if (linked.hasWhen && !work.holds(node, *work.description(node).when)) return Switch::OffByWhen;
-    if (!linked.hasConditions) return Switch::On;
     const auto& skipWhen = work.typeOf(node).skipWhen;
     if (skipWhen && work.request.skip && work.holds(node, *skipWhen)) return Switch::OffBySkipWhen;
     return Switch::On;
@@ -38,15 +37,22 @@ void findNeutralInputs(Compilation& work, Index node) {
         work.inputIsNeutral[i] = isNeutral(work, work.graph.inputs[i]);
 }
 
+/// What follows for the inputs of a node that nothing switches off and whose inputs are all needed: most
+/// nodes.
+void findInputsOfPlainNode(Compilation& work, Index node) {
+    const Range inputs = work.graph.nodes[node].inputs;
+    const bool reads = work.iterations[node] > 0;
+    for (Index i = inputs.first; i < inputs.first + inputs.count; ++i) {
+        const bool neutral = isNeutral(work, work.graph.inputs[i]);
+        work.inputIsNeutral[i] = neutral;
+        work.inputIsRead[i] = reads && !neutral;
+    }
+}
+
 /// An input is read unless it is neutral, its neededWhen is false, or its node does nothing.
 void findReadInputs(Compilation& work, Index node) {
     if (work.iterations[node] == 0) return;
     const Range inputs = work.graph.nodes[node].inputs;
-    if (!work.graph.nodes[node].hasConditions) {
-        for (Index i = inputs.first; i < inputs.first + inputs.count; ++i)
-            work.inputIsRead[i] = !work.inputIsNeutral[i];
-        return;
-    }
     const auto& ports = work.typeOf(node).inputs;
     for (Index port = 0; port < inputs.count; ++port) {
         if (work.inputIsNeutral[inputs.first + port]) continue;
@@ -81,10 +87,16 @@ void decideSkips(Compilation& work) {
         work.nodeOfPort.assign(work.graph.formats.size(), noIndex);
     }
     for (const Index node : work.graph.declarationOrder) {
-        findNeutralInputs(work, node);
-        work.switches[node] = switchOf(work, node);
-        work.iterations[node] = iterationsOf(work, node);
-        findReadInputs(work, node);
+        const LinkedNode& linked = work.graph.nodes[node];
+        if (linked.hasWhen || linked.hasConditions) {
+            findNeutralInputs(work, node);
+            work.switches[node] = switchOf(work, node);
+            work.iterations[node] = iterationsOf(work, node);
+            findReadInputs(work, node);
+        } else {
+            work.iterations[node] = iterationsOf(work, node);
+            findInputsOfPlainNode(work, node);
+        }
         if (work.graph.hasModifiers) findForwards(work, node);
     }
     work.faults.throwIfErrors();
