@@ -8,8 +8,7 @@
 #include "gpu/device.h"
 #include "runtime/audit.h"
 #include "runtime/executor.h"
-#include "runtime/graph_loading.h"
-#include "runtime/imports.h"
+#include "runtime/graph_content.h"
 #include "runtime/plan_equality.h"
 #include "runtime/readback.h"
 #include "runtime/resource_descriptions.h"
@@ -48,12 +47,15 @@ ProgramContext programContext(const gpu::Device& device, const gpu::ShaderCompil
 
 /// In the order of construction; what comes later uses what comes before.
 struct Session::State {
-    explicit State(const SessionOptions& sessionOptions)
+    explicit State(const SessionOptions& sessionOptions) : State(sessionOptions, DataFolders::find()) {}
+    State(const SessionOptions& sessionOptions, const DataFolders& dataFolders)
+        : State(sessionOptions, dataFolders,
+                GraphContent({sessionOptions.graph, sessionOptions.settings, sessionOptions.dumps},
+                             dataFolders, sessionOptions.passPaths)) {}
+    State(const SessionOptions& sessionOptions, const DataFolders& dataFolders, GraphContent graphContent)
         : options(sessionOptions),
-          folders(DataFolders::find()),
-          loaded(loadGraph(options.graph, options.settings, folders, options.passPaths)),
+          folders(dataFolders),
           scene(loadScene(options.scene, options.time, folders)),
-          importFiles(readImports(loaded.graph->description)),
           device(deviceOptions(options)),
           reads(options.inputReads.value_or(inputReadsOn(device))),
           compiler(gpu::DiskCache::standard()),
@@ -61,10 +63,10 @@ struct Session::State {
           linearSampler(device, {}),
           nearestSampler(device, {VK_FILTER_NEAREST, VK_SAMPLER_MIPMAP_MODE_NEAREST}),
           gpuScene(device, scene, options.framesInFlight),
-          imports(uploadImports(device, loaded.graph->description, importFiles, reads)),
+          content(std::move(graphContent)),
           programs(programContext(device, compiler, pipelineCache, gpuScene.descriptorSetLayout(),
-                                  linearSampler, nearestSampler, folders)),
-          values(std::make_shared<graph::ParameterValues>(loaded.graph->values)) {
+                                  linearSampler, nearestSampler, folders)) {
+        content.upload(device, reads);
         for (const Diagnostic& warning : scene.warnings())
             diagnostics.warning(warning.where, warning.message);
         rebuild();
@@ -72,17 +74,12 @@ struct Session::State {
     }
 
     graph::CompileRequest request() const {
-        graph::CompileRequest result;
-        result.graph = loaded.graph;
+        graph::CompileRequest result = content.request(reads);
         result.facts = sceneFacts(scene.facts());
         result.view = options.size;
-        for (const std::string& dump : options.dumps) result.dumps.push_back(dumpReference(dump));
-        result.inputReads = reads;
         result.skip = options.skip;
         result.policy = options.policy;
         result.plain = options.plain;
-        result.imports = importedImages(loaded.graph->description, importFiles, reads);
-        result.parameters = values;
         result.memory = memoryNeedsOn(device, reads);
         result.maxExtent = device.maxImageExtent();
         result.maxLayers = device.maxImageLayers();
@@ -95,7 +92,7 @@ struct Session::State {
         graph::CompileRequest asked = request();
         graph::Plan plan = graph::compile(asked);
         if (reuses()) {
-            asked.dependsOn = programs.scenePartsOf(plan, *values);
+            asked.dependsOn = programs.scenePartsOf(plan, *content.values);
             asked.keep = graph::Keep::AcrossRates;
             plan = graph::compile(asked);
         }
@@ -105,26 +102,35 @@ struct Session::State {
 
     bool reuses() const { return options.reuse && options.skip; }
 
-    /// Plans anew, with the values and the size as they are; if that fails, everything stays as it was.
+    /// Plans anew, with the graph, the values and the size as they are; if that fails, what is rendered stays
+    /// as it was.
     void rebuild() {
         if (executor) executor->waitForFrames();
+        dropUnusedHistory();  // of a plan that failed
         programs.startBuild();
         const ExecutorOptions how{options.framesInFlight, options.profile, reuses()};
-        auto next =
-            std::make_unique<Executor>(programs, makePlan(), *values, gpuScene, imports, history, how);
+        std::unique_ptr<Executor> next = makeExecutor(makePlan(), history, how);
         std::unique_ptr<Executor> nextPlain;
         if (options.auditSkips) {
             graph::CompileRequest asked = request();
             asked.skip = false;
-            nextPlain =
-                std::make_unique<Executor>(programs, graph::compile(asked), *values, gpuScene, imports,
-                                           plainHistory, ExecutorOptions{options.framesInFlight});
+            nextPlain = makeExecutor(graph::compile(asked), plainHistory, {options.framesInFlight});
         }
         executor = std::move(next);
         plainExecutor = std::move(nextPlain);
+        dropUnusedHistory();
+        ++plans;
+    }
+
+    void dropUnusedHistory() {
         history.dropUnused();
         plainHistory.dropUnused();
-        ++plans;
+    }
+
+    std::unique_ptr<Executor> makeExecutor(graph::Plan plan, HistoryStore& store,
+                                           const ExecutorOptions& how) {
+        return std::make_unique<Executor>(programs, std::move(plan), *content.values, gpuScene,
+                                          content.imports(), store, how);
     }
 
     FrameTimes renderFrame(double time) {
@@ -137,34 +143,46 @@ struct Session::State {
         return times;
     }
 
-    void set(const std::string& setting) {
-        std::shared_ptr<const graph::ParameterValues> before = values;
-        values =
-            std::make_shared<graph::ParameterValues>(graph::applySetting(*loaded.graph, *before, setting));
+    /// Gives `member` another value and does what that asks for; if it fails, both stay as they were.
+    template<class Member, class Work>
+    static void change(Member& member, Member value, Work work) {
+        std::swap(member, value);
         try {
-            if (!servesValues(*before)) rebuild();
+            work();
         } catch (...) {
-            values = std::move(before);
+            std::swap(member, value);
             throw;
         }
+    }
+
+    void set(const std::string& setting) {
+        const std::shared_ptr<const graph::ParameterValues> before = content.values;
+        change(content.values,
+               {std::make_shared<graph::ParameterValues>(
+                   graph::applySetting(content.graph(), *before, setting))},
+               [&] {
+                   if (!servesValues(*before)) rebuild();
+               });
+    }
+
+    void setGraph(const GraphSource& source) {
+        GraphContent next(source, folders, options.passPaths);
+        next.upload(device, reads);
+        change(content, std::move(next), [&] { rebuild(); });
+    }
+
+    void resize(graph::Extent size) {
+        change(options.size, size, [&] { rebuild(); });
     }
 
     /// Hands the present values to what was made with those `before`. False if that has to be made anew: the
     /// values decide the plan, and it comes out another, or they are compiled into shaders.
     bool servesValues(const graph::ParameterValues& before) {
-        if (graph::changesPlan(*loaded.graph, before, *values) && !doTheSame(makePlan(), executor->plan()))
+        if (graph::changesPlan(content.graph(), before, *content.values) &&
+            !doTheSame(makePlan(), executor->plan()))
             return false;
-        return executor->setParameters(*values) && (!plainExecutor || plainExecutor->setParameters(*values));
-    }
-
-    void resize(graph::Extent size) {
-        std::swap(options.size, size);
-        try {
-            rebuild();
-        } catch (...) {
-            options.size = size;
-            throw;
-        }
+        return executor->setParameters(*content.values) &&
+               (!plainExecutor || plainExecutor->setParameters(*content.values));
     }
 
     static void omitBarrier(graph::Plan& plan, std::uint32_t index) {
@@ -185,9 +203,7 @@ struct Session::State {
     SessionOptions options;
     Diagnostics diagnostics;
     DataFolders folders;
-    LoadedGraph loaded;
     scene::Scene scene;
-    std::vector<image::Image> importFiles;
     gpu::Device device;
     graph::InputReads reads;
     gpu::ShaderCompiler compiler;
@@ -195,9 +211,8 @@ struct Session::State {
     gpu::Sampler linearSampler;
     gpu::Sampler nearestSampler;
     scene::GpuScene gpuScene;
-    ImportedImages imports;
+    GraphContent content;
     ProgramCache programs;
-    std::shared_ptr<const graph::ParameterValues> values;
     HistoryStore history;
     HistoryStore plainHistory;
     std::unique_ptr<Executor> executor;
@@ -230,6 +245,10 @@ void Session::resize(graph::Extent size) {
     state_->resize(size);
 }
 
+void Session::setGraph(const GraphSource& source) {
+    state_->setGraph(source);
+}
+
 void Session::setCamera(const scene::CameraDescription& camera) {
     state_->gpuScene.setCamera(camera);
 }
@@ -250,7 +269,7 @@ const graph::Plan& Session::plan() const {
     return state_->executor->plan();
 }
 const graph::ParameterValues& Session::parameters() const {
-    return *state_->values;
+    return *state_->content.values;
 }
 const Diagnostics& Session::diagnostics() const {
     return state_->diagnostics;

@@ -46,6 +46,13 @@ struct SessionOptions {
         loseDeviceAtSubmit;  ///< submissions before the device counts as lost, to see that it is reported
 };
 
+/// What to render, for Session::setGraph.
+struct GraphSource {
+    std::filesystem::path file;
+    std::vector<std::string> settings;  ///< as SessionOptions::settings
+    std::vector<std::string> dumps;     ///< as SessionOptions::dumps
+};
+
 /// What a session holds and has done.
 struct SessionFigures {
     std::uint64_t deviceBytes = 0;  ///< of device memory
@@ -76,6 +83,10 @@ class Session {
     /// Another output size from the next frame on. Kept results and history start anew. Throws as the
     /// constructor.
     void resize(graph::Extent size);
+    /// Another graph, or the same file read anew, from the next frame on; its parameters start from the file
+    /// and `settings`. History of ports that keep their name and shape goes on. Throws as the constructor,
+    /// and then nothing has changed.
+    void setGraph(const GraphSource& source);
     /// Another camera than the scene's from the next frame on.
     void setCamera(const scene::CameraDescription& camera);
 
