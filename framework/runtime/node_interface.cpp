@@ -241,8 +241,9 @@ class Builder {
         const std::string& written = type_.outputs[modifier].name;
         if (plan_.resources[output(modifier)].isBuffer)
             return line(fmt::format("#define {} {}", port.name, written));
-        text_ +=
-            ImagePort(port.name, imageOfOutput(modifier), isOverLights()).modifiedInputFunctions(written);
+        PortImage image = imageOfOutput(modifier);
+        if (pass_.forEach == graph::ForEach::Mips) image.mips = 1;
+        text_ += ImagePort(port.name, image, isOverLights()).modifiedInputFunctions(written);
     }
 
     /// What an output's port shows: of a modified input the same part.
@@ -316,10 +317,11 @@ class Builder {
             text_ += functions.attachmentFunctions();
             return;
         }
-        if (pass_.forEach == graph::ForEach::Mips) return addLevels(functions, output(port), image.mips);
-        const InputRead part = partOfOutput(port);
         const OutputAccess access =
             declared.modifiedInput == graph::noIndex ? OutputAccess::Write : OutputAccess::Modify;
+        if (pass_.forEach == graph::ForEach::Mips)
+            return addLevels(functions, output(port), image.mips, access);
+        const InputRead part = partOfOutput(port);
         for (std::uint32_t mip = 0; mip < image.mips; ++mip) {
             const auto level = static_cast<std::uint16_t>(part.mip == graph::every ? mip : part.mip);
             text_ += functions.outputImage(
@@ -330,9 +332,10 @@ class Builder {
     }
 
     /// The level that an iteration writes, and those above it.
-    void addLevels(const ImagePort& functions, graph::Index resource, std::uint32_t mips) {
-        text_ += functions.outputImage(addDescriptor(PortDescriptor::Kind::StorageImage, resource), 0,
-                                       OutputAccess::Mips);
+    void addLevels(const ImagePort& functions, graph::Index resource, std::uint32_t mips,
+                   OutputAccess access) {
+        text_ +=
+            functions.outputImage(addDescriptor(PortDescriptor::Kind::StorageImage, resource), 0, access);
         result_.descriptors.back().level = PortDescriptor::Level::Iteration;
         for (std::uint32_t mip = 0; mip + 1 < std::max(mips, 2U); ++mip) {
             text_ += functions.levelAbove(
