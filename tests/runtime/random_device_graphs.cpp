@@ -55,7 +55,7 @@ class Generator {
         result_.scene = chance_.below(static_cast<std::uint32_t>(std::size(lightViewsOfScene)));
         hasImport_ = chance_.oneIn(2);
         if (hasImport_) ports_.push_back({.name = "import(picture)", .isImport = true});
-        const Index count = 4 + chance_.below(13);
+        const Index count = 6 + chance_.below(15);
         while (nodes_.size() < count) addNode();
         for (Node& node : nodes_) connectToThePast(node);
         if (chance_.oneIn(3)) shuffle();
@@ -216,6 +216,7 @@ class Generator {
                 const std::string name = port.name;
                 port = *modified[output.modifiedInput];
                 port.name = name;
+                port.perLight &= type.forEach == ForEach::Lights;
             } else {
                 describe(output, port);
                 port.mips = mips;
@@ -279,7 +280,7 @@ class Generator {
         };
         const auto last = std::find_if(ports_.rbegin(), ports_.rend(), isImage);
         if (last != ports_.rend()) outputs_.push_back(last->name);
-        const Index outputs = chance_.below(3);
+        const Index outputs = 1 + chance_.below(4);
         for (Index i = 0; i < outputs; ++i)
             if (const Port* port = findPort(isImage)) outputs_.push_back(partOf(*port, false));
         for (Index i = chance_.below(3); i > 0; --i)

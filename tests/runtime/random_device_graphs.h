@@ -16,7 +16,7 @@ struct RandomDeviceGraph {
     std::vector<std::string> settings;  ///< of each frame, before it is rendered; "" for none
 };
 
-/// The same seed gives the same graph: 4 to 16 nodes, pictures of at most 48 x 48 pixels, three frames. The
+/// The same seed gives the same graph: 6 to 22 nodes, pictures of at most 48 x 48 pixels, three frames. The
 /// library has the passes of randomPassNames().
 RandomDeviceGraph randomDeviceGraph(std::uint64_t seed, const graph::PassLibrary& library);
 
