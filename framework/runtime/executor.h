@@ -9,6 +9,7 @@
 #include "gpu/frame_slots.h"
 #include "runtime/frame_decisions.h"
 #include "runtime/frame_recorder.h"
+#include "runtime/program_cache.h"
 #include "runtime/timings.h"
 
 namespace nephrite::runtime {

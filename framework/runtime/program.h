@@ -1,37 +1,16 @@
-// What a pass runs: its compiled shader as a pipeline. Passes with the same code share one, also across
-// plans.
+// What a pass runs: its compiled shader as a pipeline.
 #pragma once
 
-#include <filesystem>
-#include <map>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "gpu/descriptors.h"
 #include "gpu/pipeline.h"
-#include "gpu/shader_compiler.h"
 #include "graph/compile.h"
-#include "runtime/node_interface.h"
+#include "runtime/shader_stages.h"
 
 namespace nephrite::runtime {
-
-/// What building programs needs; all of it outlives them.
-struct ProgramContext {
-    const gpu::Device& device;
-    const gpu::ShaderCompiler& compiler;
-    const gpu::PipelineCache& pipelineCache;
-    VkDescriptorSetLayout sceneLayout = VK_NULL_HANDLE;
-    VkSampler linearSampler = VK_NULL_HANDLE;   ///< clamped
-    VkSampler nearestSampler = VK_NULL_HANDLE;  ///< clamped; for formats that cannot be filtered
-    std::filesystem::path shaderFolder;
-    Filterable filterable;  ///< by the device, asked once a format
-};
-
-/// SPIR-V of a pass; `vertex` only of a raster pass.
-struct ShaderStages {
-    std::vector<std::uint32_t> vertex;
-    std::vector<std::uint32_t> author;
-};
 
 struct Program {
     gpu::DescriptorSetLayout setLayout;  ///< of set 1
@@ -40,48 +19,23 @@ struct Program {
     graph::SceneParts sceneParts = 0;  ///< what it reads of the scene
 };
 
-/// Programs by everything that makes them: SPIR-V, specialization constants, descriptors, raster state. Those
-/// that no plan has used for a while are dropped.
-class ProgramCache {
-  public:
-    explicit ProgramCache(ProgramContext context) : context_(std::move(context)) {}
-
-    /// The program of a pass. Throws InputError (the shader's faults at the author's lines) or RunError.
-    std::shared_ptr<const Program> programOf(const graph::Plan& plan, const graph::PlannedPass& pass,
-                                             const NodeInterface& interface);
-    /// By node: what the programs of a plan read of the scene. For CompileRequest::dependsOn.
-    std::vector<graph::SceneParts> scenePartsOf(const graph::Plan& plan,
-                                                const graph::ParameterValues& values);
-
-    /// From now on shader files are read anew.
-    void startBuild() { stages_.clear(); }
-    /// A plan's programs have all been asked for: drops the oldest beyond a fixed number that nobody else
-    /// holds.
-    void trim();
-
-    const ProgramContext& context() const { return context_; }
-    std::size_t size() const { return programs_.size(); }
-    /// Pipelines built so far; passes that share one or find theirs here build none.
-    std::uint64_t built() const { return built_; }
-
-  private:
-    struct Entry {
-        std::shared_ptr<const Program> program;
-        std::uint64_t used = 0;  ///< counts requests
-    };
-
-    const ShaderStages& stagesOf(const graph::Plan& plan, const graph::PlannedPass& pass,
-                                 const NodeInterface& interface);
-
-    ProgramContext context_;
-    std::map<std::string, ShaderStages>
-        stages_;  ///< of this build, by what is generated and the shader's file
-    std::map<std::string, Entry> programs_;
-    std::uint64_t requests_ = 0;
-    std::uint64_t built_ = 0;
+/// Everything that makes a program. The references must outlive it.
+struct ProgramDescription {
+    const NodeInterface& interface;
+    const ShaderStages& stages;
+    /// Formats, vertices and tests of a raster pass; none: a compute pass.
+    std::optional<gpu::GraphicsPipelineDescription> raster;
+    std::string name;  ///< in validation messages; decides nothing
 };
 
-/// True if images of a format can be filtered linearly.
-Filterable filterableOn(const gpu::Device& device);
+ProgramDescription describeProgram(const graph::Plan& plan, const graph::PlannedPass& pass,
+                                   const NodeInterface& interface, const ShaderStages& stages);
+
+/// The same text for two descriptions if and only if one program serves both.
+std::string keyOf(const ProgramDescription& description);
+
+/// Builds it. Throws RunError.
+std::shared_ptr<const Program> makeProgram(const ProgramContext& context,
+                                           const ProgramDescription& description);
 
 }  // namespace nephrite::runtime

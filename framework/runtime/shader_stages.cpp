@@ -1,0 +1,107 @@
+// Compiling the shaders of a pass.
+#include "runtime/shader_stages.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "scene/shader_interface.h"
+
+namespace nephrite::runtime {
+namespace {
+
+std::string readText(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    std::ostringstream text;
+    text << stream.rdbuf();
+    if (!stream || !text) throw InputError({file.string()}, "the shader cannot be read");
+    return text.str();
+}
+
+/// The author's shader between the generated declarations and the generated main().
+gpu::ShaderSource authorStage(const ProgramContext& context, const graph::PassType& type,
+                              const std::filesystem::path& shader, const NodeInterface& interface) {
+    const PortCalls calls(type);
+    gpu::ShaderSource source;
+    source.name = shader.string();
+    source.stage =
+        type.kind == graph::PassKind::Raster ? gpu::ShaderStage::Fragment : gpu::ShaderStage::Compute;
+    source.includeFolders = {type.manifest.parent_path(), context.shaderFolder};
+    source.rewriteInclude = [calls](std::string_view text) { return calls.rewrite(text); };
+    const std::string generated = type.manifest.string() + " (generated)";
+    source.chunks = {{"scene interface (generated)", "#version 460\n" + scene::shaderInterface()},
+                     {generated, interface.declarations},
+                     {shader.string(), calls.rewrite(readText(shader)) + "\n", shader},
+                     {generated, interface.entryPoint}};
+    return source;
+}
+
+std::string_view entryPointOf(graph::PassKind kind) {
+    switch (kind) {
+        case graph::PassKind::Pixel:
+            return "void pixel(ivec2 p)";
+        case graph::PassKind::Raster:
+            return "void fragment(Fragment f)";
+        default:
+            return "void compute(uvec3 id)";
+    }
+}
+
+/// A fault in generated text is the author's all the same: the entry point is missing, or main() is there
+/// twice.
+std::vector<std::uint32_t> compileAuthorStage(const ProgramContext& context, const graph::Plan& plan,
+                                              const graph::PlannedPass& pass,
+                                              const NodeInterface& interface) {
+    const graph::PassType& type = plan.typeOf(pass);
+    const std::filesystem::path shader = shaderOf(context, plan, pass);
+    try {
+        return context.compiler.compile(authorStage(context, type, shader, interface)).spirv;
+    } catch (const InputError& error) {
+        std::vector<Diagnostic> faults = error.faults();
+        for (Diagnostic& fault : faults) {
+            if (!fault.where.file.ends_with("(generated)")) continue;
+            fault = {{shader.string()},
+                     fmt::format("{} (a {} pass defines {} and no main)", fault.message,
+                                 graph::name(type.kind), entryPointOf(type.kind))};
+        }
+        throw InputError(std::move(faults));
+    }
+}
+
+gpu::ShaderSource vertexStage(graph::ViewKind view) {
+    gpu::ShaderSource source;
+    source.name = "vertex stage (generated)";
+    source.stage = gpu::ShaderStage::Vertex;
+    const auto kind = view == graph::ViewKind::Light ? scene::RasterView::Light : scene::RasterView::Camera;
+    source.chunks = {{"scene interface (generated)", "#version 460\n" + scene::shaderInterface()},
+                     {source.name, scene::vertexStage(kind)}};
+    return source;
+}
+
+/// A manifest may describe a pass written in C++, but this program has none built in.
+void requireShaderPass(const graph::PassType& type) {
+    if (type.kind != graph::PassKind::Native) return;
+    throw InputError(type.where, fmt::format("no native pass \"{}\" is built into this program", type.name));
+}
+
+}  // namespace
+
+std::filesystem::path shaderOf(const ProgramContext& context, const graph::Plan& plan,
+                               const graph::PlannedPass& pass) {
+    if (plan.graph->nodes[pass.node].role == graph::NodeRole::TileList)
+        return context.shaderFolder / "tile_list.glsl";
+    return plan.typeOf(pass).shader;
+}
+
+ShaderStages compileStages(const ProgramContext& context, const graph::Plan& plan,
+                           const graph::PlannedPass& pass, const NodeInterface& interface) {
+    requireShaderPass(plan.typeOf(pass));
+    ShaderStages stages;
+    stages.author = compileAuthorStage(context, plan, pass, interface);
+    if (plan.typeOf(pass).kind == graph::PassKind::Raster)
+        stages.vertex = context.compiler.compile(vertexStage(pass.view)).spirv;
+    return stages;
+}
+
+}  // namespace nephrite::runtime
