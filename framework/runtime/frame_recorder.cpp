@@ -94,7 +94,10 @@ void FrameRecorder::addBarrier(const graph::Barrier& barrier) {
     // What other resources left in the same memory must be out of the way: no barrier of this one covers
     // that.
     if (barrier.aliases) batch_.memory(before, after);
-    if (!barrier.writeBefore) before.access = VK_ACCESS_2_NONE;
+    // Behind readers, an execution dependency is enough by the specification: the barrier before them made
+    // the write available. Validation follows that chain by accesses, also where a shader reads nothing of
+    // what its pass declares.
+    if (!barrier.writeBefore) before = accessOf(barrier.usesBefore);
     if (plan_.resources[barrier.resource].isBuffer) {
         batch_.buffer(resources_.buffer(barrier.resource), before, after);
         return;

@@ -69,6 +69,25 @@ TEST_P(Resources, OneLayerAloneIsAnImage) {
     EXPECT_EQ(valueAt(session, "middle", 5, 6, 2), 11);
 }
 
+// The reader's shader has no use for its input, and the compiler of shaders leaves it out.
+TEST_P(Resources, WhatComesBehindAReaderThatReadsNothingWaitsForTheWriter) {
+    addRamp();
+    addPass("deaf", "pixel", R"("inputs": {"image": {}}, "outputs": {"color": {"format": "rgba32f"}})",
+            "void pixel(ivec2 p) { store(color, p, vec4(7.0)); }");
+    addPass(
+        "add", "pixel",
+        R"("inputs": {"image": {}, "more": {}}, "outputs": {"color": {"format": "rgba32f", "modifies": "image"}})",
+        "void pixel(ivec2 p) { store(color, p, load(image, p) + load(more, p)); }");
+    Session session = render(R"json("nodes": {"ramp": {"pass": "ramp"}, "copied": {"pass": "ramp"},
+        "deaf": {"pass": "deaf", "in": {"image": "ramp.color"}},
+        "deafToo": {"pass": "deaf", "in": {"image": "copied.color"}},
+        "add": {"pass": "add", "in": {"image": "ramp.color", "more": "deaf.color"}}},
+        "outputs": {"color": "add.color", "copied": "copied.color", "deaf": "deafToo.color"})json");
+    EXPECT_EQ(valueAt(session, "color", 3, 4, 0), 3 + 7);
+    EXPECT_EQ(valueAt(session, "copied", 3, 4, 1), 4);
+    EXPECT_EQ(valueAt(session, "deaf", 3, 4, 1), 7);
+}
+
 TEST_P(Resources, AComputePassModifiesItsInput) {
     addRamp();
     addPass("double", "pixel",
