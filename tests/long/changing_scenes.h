@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "runtime/scratch.h"
 #include "runtime/session.h"
+#include "scratch_folder.h"
 
 namespace nephrite::runtime::test {
 

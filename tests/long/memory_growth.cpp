@@ -10,6 +10,7 @@
 namespace nephrite::runtime::test {
 
 MemorySample sampleMemory() {
+    malloc_trim(0);  // what malloc keeps for later is not held
     std::ifstream file("/proc/self/statm");
     double pages = 0;
     double resident = 0;

@@ -9,8 +9,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "runtime/scratch.h"
 #include "runtime/session.h"
+#include "scratch_folder.h"
 
 namespace nephrite::runtime {
 namespace {
@@ -50,7 +50,7 @@ class Models : public testing::TestWithParam<Model> {};
 TEST_P(Models, AreFiniteAndLitAtBothSizes) {
     const fs::path mesh = modelFolder() / GetParam().file;
     if (!fs::exists(mesh)) GTEST_SKIP() << "no " << mesh << ": the meshes are not part of the project";
-    const test::ScratchFolder folder;
+    const ScratchFolder folder;
     const fs::path scene = folder.write(
         "scene.json",
         R"({"camera": {"position": [0, 8, 70], "target": [0, 0, 0], "fovY": 30, "near": 10, "far": 200},

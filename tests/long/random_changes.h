@@ -8,8 +8,8 @@
 
 #include "changing_scenes.h"
 #include "graph/random_ports.h"
-#include "runtime/scratch.h"
 #include "runtime/session.h"
+#include "scratch_folder.h"
 
 namespace nephrite::runtime::test {
 

@@ -7,9 +7,9 @@
 #include <stdexcept>
 
 #include "graph/format.h"
-#include "reference/scratch.h"
 #include "runtime/data_folders.h"
 #include "runtime/graph_loading.h"
+#include "scratch_folder.h"
 #include "text/json.h"
 
 namespace nephrite::reference {
@@ -35,7 +35,7 @@ std::filesystem::path inFloat32(const std::filesystem::path& graph, const std::v
         const std::size_t dot = port.find('.');
         root["nodes"][port.substr(0, dot)]["format"][port.substr(dot + 1)] = "rgba32f";
     }
-    return writeScratch("float32.json", Json::writeString(Json::StreamWriterBuilder(), root));
+    return sharedScratchFolder().write("float32.json", Json::writeString(Json::StreamWriterBuilder(), root));
 }
 
 /// The first channel of an array layer: layer 0 is "R", others "layer1.R".
@@ -54,7 +54,7 @@ std::filesystem::path graphFolder() {
 }
 
 DumpedFrame::DumpedFrame(const FrameRequest& request) {
-    scratchFolder();
+    sharedScratchFolder();
     runtime::SessionOptions options;
     options.graph = graphFolder() / "paper.json";
     options.scene = request.scene;

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "image/exr.h"
-#include "reference/scratch.h"
+#include "scratch_folder.h"
 
 namespace nephrite::reference {
 namespace {
@@ -57,7 +57,7 @@ void writeImage(const char* name, std::uint32_t width, std::uint32_t height,
             image.pixels.insert(image.pixels.end(), value.begin(), value.end());
         }
     }
-    image::writeExr(scratchFolder() / name, image);
+    image::writeExr(sharedScratchFolder().path() / name, image);
 }
 
 float wave(float phase) {
@@ -76,11 +76,11 @@ std::filesystem::path writeTexturedScene() {
         return Color{1.5F - v, 1.2F - 0.8F * v,
                      0.5F + 0.4F * wave(u - 0.5F) * std::sin(std::numbers::pi_v<float> * v)};
     });
-    return writeScratch("textured.json", texturedScene);
+    return sharedScratchFolder().write("textured.json", texturedScene);
 }
 
 std::filesystem::path writeLowIndexScene() {
-    return writeScratch("low-index.json", lowIndexScene);
+    return sharedScratchFolder().write("low-index.json", lowIndexScene);
 }
 
 }  // namespace nephrite::reference

@@ -7,7 +7,7 @@
 
 #include "reference/dumped_frame.h"
 #include "reference/literal/dipole.h"
-#include "reference/scratch.h"
+#include "scratch_folder.h"
 
 namespace nephrite::reference {
 namespace {
@@ -22,8 +22,8 @@ constexpr const char* scene = R"({ "millimetersPerUnit": 1,
 const Medium grey{0.003, 2.29, 0, 1.3};
 
 DumpedFrame frameOf(std::uint32_t size) {
-    scratchFolder();
-    return DumpedFrame({writeScratch("resolution.json", scene), {size, size}, Formats::AllFloat32, {}});
+    return DumpedFrame(
+        {sharedScratchFolder().write("resolution.json", scene), {size, size}, Formats::AllFloat32, {}});
 }
 
 double meanOverCovered(const DumpedFrame& frame, const std::string& port) {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "runtime/session.h"
-#include "scratch.h"
+#include "scratch_folder.h"
 
 namespace nephrite::runtime::test {
 

@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "reference/scratch.h"
+#include "scratch_folder.h"
 
 namespace nephrite::pictures {
 namespace {
@@ -45,7 +45,7 @@ std::string SceneText::json() const {
 runtime::Session render(const SceneText& scene, int size, const std::vector<std::string>& dumps) {
     runtime::SessionOptions options;
     options.graph = std::filesystem::path(NEPHRITE_SOURCE_DIR) / "graphs" / "paper.json";
-    options.scene = reference::writeScratch("scene.json", scene.json());
+    options.scene = sharedScratchFolder().write("scene.json", scene.json());
     options.size = {static_cast<std::uint32_t>(size), static_cast<std::uint32_t>(size)};
     options.dumps = dumps;
     runtime::Session session(options);

@@ -9,8 +9,8 @@
 
 #include "graph/pass_type.h"
 #include "runtime/random_device_graphs.h"
-#include "runtime/scratch.h"
 #include "runtime/session.h"
+#include "scratch_folder.h"
 
 namespace nephrite::runtime::test {
 

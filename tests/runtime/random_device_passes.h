@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/scratch.h"
+#include "scratch_folder.h"
 
 namespace nephrite::runtime::test {
 

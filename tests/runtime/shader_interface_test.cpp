@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "runtime/session.h"
-#include "scratch.h"
+#include "scratch_folder.h"
 
 namespace nephrite::runtime {
 namespace {
@@ -44,7 +44,7 @@ class ShaderInterface : public testing::TestWithParam<graph::InputReads> {
         return result;
     }
 
-    test::ScratchFolder folder_;
+    ScratchFolder folder_;
 };
 
 using Values = std::vector<float>;

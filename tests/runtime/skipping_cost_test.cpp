@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "runtime/scratch.h"
 #include "runtime/session.h"
+#include "scratch_folder.h"
 
 namespace nephrite::runtime {
 namespace {
@@ -57,7 +57,7 @@ std::pair<double, double> leastInTurn(int frames, MeasureA measureA, MeasureB me
 }
 
 TEST(SkippingCost, ATenthOfTheScreenPaysAtMostAFifth) {
-    const test::ScratchFolder folder;
+    const ScratchFolder folder;
     // The silhouette's radius is 0.357 of half the image's height: pi / 4 * 0.357^2 is a tenth of the image.
     const auto far = folder.write("far.json", sphereScene(86.8, "\"apple\""));
     const auto near = folder.write("near.json", sphereScene(15, "\"apple\""));
@@ -87,7 +87,7 @@ constexpr const char* opaqueGraph = R"({
   "outputs": {"color": "composite.color"} })";
 
 TEST(SkippingCost, AnOpaqueSceneDoesNotPayForScattering) {
-    const test::ScratchFolder folder;
+    const ScratchFolder folder;
     const auto scene =
         folder.write("opaque.json", sphereScene(40, R"({"diffuse": [0.7, 0.5, 0.3], "roughness": 0.4})"));
     Session paper(optionsFor(sources + "/graphs/paper.json", scene));

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "runtime/session.h"
-#include "scratch.h"
+#include "scratch_folder.h"
 
 namespace nephrite::runtime {
 namespace {
@@ -16,7 +16,7 @@ double median(std::vector<double> values) {
 }
 
 /// Three raster passes that draw the same, none of them twice the others' work, all wanted.
-SessionOptions threeEqualPasses(const test::ScratchFolder& folder) {
+SessionOptions threeEqualPasses(const ScratchFolder& folder) {
     SessionOptions options;
     options.graph = folder.write("three.json", R"({"name": "three", "nodes": {
         "first": {"pass": "gbuffer"}, "second": {"pass": "gbuffer"}, "third": {"pass": "gbuffer"}},
@@ -39,7 +39,7 @@ double spreadOfEqualPasses(Session& session) {
 }
 
 TEST(Profile, EqualHeavyRasterPassesReadEqual) {
-    const test::ScratchFolder folder;
+    const ScratchFolder folder;
     Session session(threeEqualPasses(folder));
     for (int i = 0; i < 3; ++i) session.renderFrame(0);
     // A busy machine can make any one series uneven; time booked on the wrong pass makes all of them so.
@@ -50,7 +50,7 @@ TEST(Profile, EqualHeavyRasterPassesReadEqual) {
 }
 
 TEST(Profile, PassesRecordingAndWaitingAreTheWallTime) {
-    const test::ScratchFolder folder;
+    const ScratchFolder folder;
     Session session(threeEqualPasses(folder));
     for (int i = 0; i < 3; ++i) session.renderFrame(0);
     std::vector<double> sums;
