@@ -12,7 +12,6 @@
 namespace nephrite::runtime::test {
 namespace {
 
-constexpr std::uint64_t sessionFrames = 500;
 constexpr graph::Extent startSize{48, 48};
 
 }  // namespace
@@ -22,7 +21,7 @@ RandomChanges::RandomChanges(std::uint64_t seed) : chance_(seed), scenes_(changi
 }
 
 void RandomChanges::frame() {
-    if (frame_++ % sessionFrames == 0) startSession();
+    if (!session_) startSession();
     if (chance_.oneIn(20)) changeGraph();
     if (chance_.oneIn(200)) refuseGraph();
     changeSomething();
@@ -30,9 +29,12 @@ void RandomChanges::frame() {
     if (chance_.oneIn(64)) readPicture();
 }
 
-void RandomChanges::startSession() {
+void RandomChanges::endSession() {
     if (session_) session_->waitForFrames();
     session_.reset();
+}
+
+void RandomChanges::startSession() {
     scene_ = &scenes_[chance_.below(static_cast<std::uint32_t>(scenes_.size()))];
     SessionOptions options;
     options.graph = scene_->graphs.front().source.file;

@@ -24,6 +24,8 @@ class RandomChanges {
     /// messages throw RunError. Throws std::runtime_error if a session holds other device memory than when it
     /// last began the same graph with the same options.
     void frame();
+    /// The next frame begins another session.
+    void endSession();
 
     /// How often each thing was done and each feature of the library was there.
     const std::map<std::string, std::uint64_t>& counts() const { return counts_; }
@@ -57,7 +59,6 @@ class RandomChanges {
     std::string story_;
     std::map<std::string, SessionFigures> known_;
     std::map<std::string, std::uint64_t> counts_;
-    std::uint64_t frame_ = 0;
     double time_ = 0;
 };
 
