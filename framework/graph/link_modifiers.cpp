@@ -80,6 +80,11 @@ class ModifierCheck {
             refuse(modifier.input,
                    fmt::format("{} is written for every light at once and cannot modify {}, which is not",
                                name, target));
+        } else if (node.forEach == ForEach::Lights && source.layer != every) {
+            // No barrier stands between the lights: they would overwrite each other's texels.
+            refuse(modifier.input,
+                   fmt::format("{} is written for every light at once and cannot modify one layer of {}",
+                               name, target));
         }
     }
 
