@@ -64,6 +64,18 @@ TEST_F(History, SurvivesAnotherPlanOfTheSameShape) {
     EXPECT_EQ(valueAt(session, "color", 0, 0), 10 + 3 + 100);
 }
 
+TEST_F(History, OfANodeThatIsSwitchedOffIsNeutral) {
+    SessionOptions options = counting();
+    options.graph = folder_.write("off.json", R"json({"name": "off", "nodes": {
+        "counter": {"pass": "counter", "when": false, "in": {"before": "previous(counter.color)"}}},
+        "outputs": {"color": "counter.color", "before": "previous(counter.color, 2)"}})json");
+    Session session(options);
+    for (int frame = 0; frame < 2; ++frame) {
+        session.renderFrame(0);
+        EXPECT_EQ(valueAt(session, "before", 1, 1), 10);
+    }
+}
+
 TEST_F(History, StartsAnewInAnotherSize) {
     Session session(counting());
     for (int frame = 0; frame < 3; ++frame) session.renderFrame(0);

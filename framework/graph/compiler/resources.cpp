@@ -281,13 +281,15 @@ void checkParts(Compilation& work, const LinkedOutput& output, const Resource& r
     check(output.layer, resource.layers, "layer");
 }
 
+/// What is only cleared has no past: an earlier frame of it is as neutral as this one.
 void findRequestedResources(Compilation& work) {
     for (std::size_t i = 0; i < work.requested.size(); ++i) {
         const LinkedOutput& output = *work.requested[i];
         Index port = work.contentsOf({output.node, output.port});
         if (port == noIndex) port = work.portIndex(output.node, output.port);
         Index resource = work.resources[port];
-        for (std::uint16_t back = 0; back < output.framesBack && resource != noIndex; ++back)
+        const bool isCleared = resource != noIndex && !work.runs(work.plan.resources[resource].node);
+        for (std::uint16_t back = 0; back < output.framesBack && resource != noIndex && !isCleared; ++back)
             resource = resource < work.older.size() ? work.older[resource] : noIndex;
         work.plan.requested[i].resource = resource;
         if (resource == noIndex) continue;
