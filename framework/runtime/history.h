@@ -31,15 +31,21 @@ struct HistoryRing {
 class HistoryStore {
   public:
     /// The ring of the port of plan.resources[resource] (any of its frames), `length` long. The one of the
-    /// last plan if it has the same name, extent, format, levels, layers, uses and length; else a new one,
-    /// every frame of it neutral and in the layout in which frames start. Throws RunError if memory runs out.
+    /// last plan if it has the same name, extent, format, levels, layers, uses, layout and length. Otherwise
+    /// a new one in the layout in which frames start: with the frames of the last plan's if only length, uses
+    /// or layout were wanting, and all others neutral. What a plan takes does not depend on those before it.
+    /// No frame may be under way. Throws RunError if memory runs out.
     std::shared_ptr<HistoryRing> ring(const gpu::Device& device, const graph::Plan& plan,
                                       graph::Index resource, std::uint32_t length, std::uint32_t uses);
     /// Lets go of rings that no plan holds.
     void dropUnused();
 
   private:
-    std::map<std::string, std::shared_ptr<HistoryRing>> rings_;
+    struct Entry {
+        graph::Resource resource;  ///< uses and layout it was made for
+        std::shared_ptr<HistoryRing> ring;
+    };
+    std::multimap<std::string, Entry> rings_;  ///< by name and shape
 };
 
 }  // namespace nephrite::runtime

@@ -64,6 +64,23 @@ TEST_F(History, SurvivesAnotherPlanOfTheSameShape) {
     EXPECT_EQ(valueAt(session, "color", 0, 0), 10 + 3 + 100);
 }
 
+TEST_F(History, SurvivesAReaderThatComesAndGoes) {
+    addCounter();
+    addPass("copy", "pixel", R"("inputs": {"source": {}}, "outputs": {"color": {"format": "r32f"}})",
+            "void pixel(ivec2 p) { store(color, p, load(source, p)); }");
+    Session session(graph(std::string(R"json("parameters": {"deep": {"value": false}}, "nodes": {)json") +
+                          counterNode + R"json(,
+        "older": {"pass": "copy", "when": "$deep", "in": {"source": "previous(counter.color, 3)"}}},
+        "outputs": {"color": "counter.color", "older": "older.color"})json"));
+    for (int frame = 0; frame < 3; ++frame) session.renderFrame(0);
+    session.set("deep=true");
+    session.renderFrame(0);
+    EXPECT_EQ(valueAt(session, "color", 0, 0), 10 + 4);
+    session.set("deep=false");
+    session.renderFrame(0);
+    EXPECT_EQ(valueAt(session, "color", 0, 0), 10 + 5);
+}
+
 TEST_F(History, OfANodeThatIsSwitchedOffIsNeutral) {
     SessionOptions options = counting();
     options.graph = folder_.write("off.json", R"json({"name": "off", "nodes": {
