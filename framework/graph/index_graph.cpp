@@ -27,8 +27,7 @@ Number wholeNumber(const Expression& expression) {
 PortShape shapeOf(const LinkedNode& node, const OutputPort& output) {
     PortShape shape;
     shape.isBuffer = !output.bufferElement.empty();
-    if (node.role != NodeRole::Pass || shape.isBuffer || output.modifiedInput != noIndex)
-        return shape;
+    if (node.role != NodeRole::Pass || shape.isBuffer || output.modifiedInput != noIndex) return shape;
     shape.mips = wholeNumber<std::uint16_t>(output.mips);
     shape.layers = wholeNumber<std::uint16_t>(output.layers);
     if (node.hasSize || !output.size) return shape;

@@ -92,6 +92,21 @@ void resolveDomain(PassType& type, const json::Value& value, Diagnostics& diagno
     }
 }
 
+void refuseUndrawnParts(const PassType& type, const json::Value& manifest, Diagnostics& diagnostics) {
+    if (type.kind != PassKind::Raster) return;
+    for (const OutputPort& output : type.outputs) {
+        if (!output.modifies.empty() || !output.bufferElement.empty()) continue;
+        const auto refuse = [&](std::string_view key, const Expression& count, std::string_view parts) {
+            const auto value = keyOf(manifest, output, key);
+            if (value && count.literal() != 1.0)
+                diagnostics.error(value->whereKey(),
+                                  fmt::format("a raster pass draws to one of its {}", parts));
+        };
+        refuse("mips", output.mips, "mips");
+        refuse("layers", output.layers, "layers");
+    }
+}
+
 std::optional<MipsFault> whyNotForEachMip(const PassType& type) {
     if (type.kind == PassKind::Raster) {
         return MipsFault{type.where, "a raster pass draws to one level and cannot run for each of its mips"};

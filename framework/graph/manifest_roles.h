@@ -17,6 +17,9 @@ void resolveModifies(PassType& type, const json::Value& manifest, Diagnostics& d
 /// Looks up PassType::domain, which `value` names.
 void resolveDomain(PassType& type, const json::Value& value, Diagnostics& diagnostics);
 
+/// A raster pass draws to one level, and to one layer for each view: one fault for each output with more.
+void refuseUndrawnParts(const PassType& type, const json::Value& manifest, Diagnostics& diagnostics);
+
 /// Why the pass cannot run once a level of its outputs, or nothing.
 struct MipsFault {
     SourceLocation where;  ///< in the manifest

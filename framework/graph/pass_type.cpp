@@ -103,7 +103,7 @@ class ManifestReader {
         if (domain) type_.domain = domain->string(diagnostics_, "an input's name").value_or("");
         if (domain && domain->isString() && kindKnown_) resolveDomain(type_, *domain, diagnostics_);
         resolveModifies(type_, object_.value(), diagnostics_);
-        if (type_.forEach != ForEach::Mips) return;
+        if (type_.forEach != ForEach::Mips) return refuseUndrawnParts(type_, object_.value(), diagnostics_);
         if (const auto fault = whyNotForEachMip(type_)) diagnostics_.error(fault->where, fault->message);
     }
 

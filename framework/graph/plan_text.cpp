@@ -37,9 +37,16 @@ class Table {
     std::vector<std::vector<std::string>> rows_;
 };
 
+/// Images from outside are not run, and lists of tiles that nobody needs are of no interest.
 std::size_t countOf(const Plan& plan, NodeState state) {
-    return static_cast<std::size_t>(std::count_if(
-        plan.nodes.begin(), plan.nodes.end(), [&](const NodeDecision& node) { return node.state == state; }));
+    std::size_t count = 0;
+    for (Index node = 0; node < plan.nodes.size(); ++node) {
+        const NodeRole role = plan.graph->nodes[node].role;
+        const bool isListed =
+            role == NodeRole::Pass || (role == NodeRole::TileList && state == NodeState::Run);
+        if (isListed && plan.nodes[node].state == state) ++count;
+    }
+    return count;
 }
 
 std::size_t sharingResources(const Plan& plan) {

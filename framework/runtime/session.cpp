@@ -100,6 +100,13 @@ struct Session::State {
         return plan;
     }
 
+    /// What an audit compares with.
+    graph::Plan makePlanWithoutSkipping() const {
+        graph::CompileRequest asked = request();
+        asked.skip = false;
+        return graph::compile(asked);
+    }
+
     bool reuses() const { return options.reuse && options.skip; }
 
     /// Plans anew, with the graph, the values and the size as they are; if that fails, what is rendered stays
@@ -112,9 +119,7 @@ struct Session::State {
         std::unique_ptr<Executor> next = makeExecutor(makePlan(), history, how);
         std::unique_ptr<Executor> nextPlain;
         if (options.auditSkips) {
-            graph::CompileRequest asked = request();
-            asked.skip = false;
-            nextPlain = makeExecutor(graph::compile(asked), plainHistory, {options.framesInFlight});
+            nextPlain = makeExecutor(makePlanWithoutSkipping(), plainHistory, {options.framesInFlight});
         }
         executor = std::move(next);
         plainExecutor = std::move(nextPlain);
@@ -157,12 +162,23 @@ struct Session::State {
 
     void set(const std::string& setting) {
         const std::shared_ptr<const graph::ParameterValues> before = content.values;
-        change(content.values,
-               {std::make_shared<graph::ParameterValues>(
-                   graph::applySetting(content.graph(), *before, setting))},
-               [&] {
-                   if (!servesValues(*before)) rebuild();
-               });
+        try {
+            change(content.values,
+                   {std::make_shared<graph::ParameterValues>(
+                       graph::applySetting(content.graph(), *before, setting))},
+                   [&] {
+                       if (!servesValues(*before)) rebuild();
+                   });
+        } catch (...) {
+            handOutValues();  // one of two may have taken the new ones
+            throw;
+        }
+    }
+
+    /// False if one of those who render has them compiled into shaders.
+    bool handOutValues() {
+        return executor->setParameters(*content.values) &&
+               (!plainExecutor || plainExecutor->setParameters(*content.values));
     }
 
     void setGraph(const GraphSource& source) {
@@ -178,11 +194,11 @@ struct Session::State {
     /// Hands the present values to what was made with those `before`. False if that has to be made anew: the
     /// values decide the plan, and it comes out another, or they are compiled into shaders.
     bool servesValues(const graph::ParameterValues& before) {
-        if (graph::changesPlan(content.graph(), before, *content.values) &&
-            !doTheSame(makePlan(), executor->plan()))
-            return false;
-        return executor->setParameters(*content.values) &&
-               (!plainExecutor || plainExecutor->setParameters(*content.values));
+        if (graph::changesPlan(content.graph(), before, *content.values)) {
+            if (!doTheSame(makePlan(), executor->plan())) return false;
+            if (plainExecutor && !doTheSame(makePlanWithoutSkipping(), plainExecutor->plan())) return false;
+        }
+        return handOutValues();
     }
 
     static void omitBarrier(graph::Plan& plan, std::uint32_t index) {

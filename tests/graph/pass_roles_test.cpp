@@ -102,6 +102,12 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"FloatsAsIntegers", modifying(R"("modifies": @"a", "format": "r32u")"),
               "\"c\" is an image of unsigned integers (r32u), but \"a\", which it modifies, is an image of "
               "floats"},
+        Fault{"MipsOfRaster", pass("raster", R"("c": {@"mips": 2})"),
+              "a raster pass draws to one of its mips"},
+        Fault{"LayersOfRaster",
+              pass("raster", R"("c": {@"layers": "params.n"}, "d": {"layers": 1})",
+                   R"(, "parameters": {"n": {"type": "uint", "default": 1}})"),
+              "a raster pass draws to one of its layers"},
         Fault{"OtherBuffer", modifying(R"("modifies": @"l", "buffer": "float")"),
               "\"c\" is a buffer of float, but \"l\", which it modifies, is a buffer of vec4"},
         Fault{"ImageAsBuffer", modifying(R"("modifies": @"a", "buffer": "float")"),
