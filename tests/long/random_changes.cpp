@@ -16,7 +16,8 @@ constexpr graph::Extent startSize{48, 48};
 
 }  // namespace
 
-RandomChanges::RandomChanges(std::uint64_t seed) : chance_(seed), scenes_(changingScenes(folder_)) {
+RandomChanges::RandomChanges(std::uint64_t seed, Validation validation)
+    : chance_(seed), validation_(validation), scenes_(changingScenes(folder_)) {
     writeBrokenGraph(folder_);
 }
 
@@ -43,7 +44,7 @@ void RandomChanges::startSession() {
     options.scene = scene_->file;
     options.passPaths = {folder_.path() / "passes"};
     options.size = startSize;
-    options.validation = Validation::Sync;
+    options.validation = validation_;
     options.reuse = chance_.oneIn(2);
     options.policy = chance_.oneIn(2) ? graph::Policy::Memory : graph::Policy::Barriers;
     options.inputReads = chance_.oneIn(2) ? graph::InputReads::StorageImage : graph::InputReads::SampledImage;

@@ -18,7 +18,7 @@ namespace nephrite::runtime::test {
 /// back to a graph.
 class RandomChanges {
   public:
-    explicit RandomChanges(std::uint64_t seed);
+    RandomChanges(std::uint64_t seed, Validation validation);
 
     /// Makes some changes and starts a frame, now and then waits for it and reads pictures. Validation
     /// messages throw RunError. Throws std::runtime_error if a session holds other device memory than when it
@@ -50,6 +50,7 @@ class RandomChanges {
     std::uint32_t side() { return 16 + 8 * chance_.below(5); }
 
     graph::tests::Chance chance_;
+    Validation validation_;
     ScratchFolder folder_;
     std::vector<ChangingScene> scenes_;
     std::optional<Session> session_;
