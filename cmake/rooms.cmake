@@ -1,4 +1,4 @@
-# A room is a folder of framework/ built as one static library that links only the rooms below it.
+# A room is a folder of framework/ (or of FOLDER) built as one static library that links only the rooms below it.
 
 add_library(nephrite_flags INTERFACE)
 target_compile_options(nephrite_flags INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wno-sign-conversion -Wshadow -Wnon-virtual-dtor)
@@ -17,11 +17,14 @@ if(NEPHRITE_SANITIZERS)
 endif()
 
 function(nephrite_room name)
-    cmake_parse_arguments(ARG "" "" "ROOMS;PACKAGES" ${ARGN})
-    file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/framework/${name}/*.cpp)
+    cmake_parse_arguments(ARG "" "FOLDER" "ROOMS;PACKAGES" ${ARGN})
+    if(NOT ARG_FOLDER)
+        set(ARG_FOLDER framework)
+    endif()
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${ARG_FOLDER}/${name}/*.cpp)
     add_library(nephrite_${name} STATIC ${sources})
     set_target_properties(nephrite_${name} PROPERTIES LINKER_LANGUAGE CXX)
-    target_include_directories(nephrite_${name} PUBLIC ${PROJECT_SOURCE_DIR}/framework)
+    target_include_directories(nephrite_${name} PUBLIC ${PROJECT_SOURCE_DIR}/${ARG_FOLDER})
     list(TRANSFORM ARG_ROOMS PREPEND nephrite_)
     target_link_libraries(nephrite_${name} PUBLIC ${ARG_ROOMS} ${ARG_PACKAGES} fmt::fmt PRIVATE nephrite_flags)
 endfunction()
