@@ -15,18 +15,25 @@ struct GaussLegendre16 {
 /// The rule of 16 points, which is exact for polynomials up to degree 31.
 const GaussLegendre16& gaussLegendre16();
 
-/// Integral of the smooth `function` from `low` to `high` with 16 points.
-template<class Function>
-double integratePanel(double low, double high, Function&& function) {
+/// Calls `add(x, weight)` for the 16 nodes of the rule on [low, high].
+template<class Add>
+void forPanelNodes(double low, double high, Add&& add) {
     const GaussLegendre16& rule = gaussLegendre16();
     const double middle = (low + high) / 2;
     const double half = (high - low) / 2;
-    double sum = 0;
     for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
         const double offset = half * rule.nodes[i];
-        sum += rule.weights[i] * (function(middle - offset) + function(middle + offset));
+        add(middle - offset, half * rule.weights[i]);
+        add(middle + offset, half * rule.weights[i]);
     }
-    return sum * half;
+}
+
+/// Integral of the smooth `function` from `low` to `high` with 16 points.
+template<class Function>
+double integratePanel(double low, double high, Function&& function) {
+    double sum = 0;
+    forPanelNodes(low, high, [&](double x, double weight) { sum += weight * function(x); });
+    return sum;
 }
 
 /// Integral from `low` to `high` in `panels` equal panels.
