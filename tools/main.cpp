@@ -81,6 +81,7 @@ int main(int argc, char** argv) {
     nephrite::tools::addPassesVerb(app, action);
     nephrite::tools::addSchemaVerb(app, action);
     nephrite::tools::addBenchVerb(app, action);
+    nephrite::tools::addProfileVerb(app, action);
     if (argc > 1 && argv[1][0] != '-' && !hasVerb(app, argv[1])) {
         printLine(unknownVerb(app, argv[1]));
         return 2;

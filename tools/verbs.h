@@ -16,5 +16,6 @@ void addCheckVerb(CLI::App& app, Action& action);
 void addSchemaVerb(CLI::App& app, Action& action);
 void addPassesVerb(CLI::App& app, Action& action);
 void addBenchVerb(CLI::App& app, Action& action);
+void addProfileVerb(CLI::App& app, Action& action);
 
 }  // namespace nephrite::tools
