@@ -27,7 +27,7 @@ constexpr int indexNodes = 14;       ///< evenly over sqrt(eta - 1), from 0 to 1
 /// (albedo / reflectance)^0.6 is nearly linear in sqrt(1 - albedo), so between two nodes of it little is
 /// lost.
 constexpr double exponent = 0.6;
-constexpr std::uint64_t defaultPhotons = 8000000;
+constexpr std::uint64_t defaultPhotons = 4000000;
 constexpr std::uint64_t seed = 20011;
 
 struct Row {
