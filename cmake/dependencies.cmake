@@ -16,6 +16,10 @@ pkg_check_modules(spirv-cross REQUIRED IMPORTED_TARGET spirv-cross-c-shared)
 add_library(SpirvCross::c ALIAS PkgConfig::spirv-cross)
 find_package(glm REQUIRED)
 
+# Debian's package installs its target without a namespace.
+find_package(embree 3 REQUIRED)
+add_library(Embree::embree ALIAS embree)
+
 # glslang's package configuration names SPIRV-Tools targets without finding them itself.
 find_package(SPIRV-Tools REQUIRED)
 find_package(SPIRV-Tools-opt REQUIRED)
