@@ -32,14 +32,14 @@ void GraphArguments::addTo(CLI::App& verb) {
     verb.add_option("--pass-path", passPaths, "Another folder of pass manifests")->expected(1)->take_all();
 }
 
-graph::Extent GraphArguments::extent() const {
-    const std::size_t cross = size.find('x');
-    const auto width = side(std::string_view(size).substr(0, cross));
+graph::Extent pictureSize(const std::string& text) {
+    const std::size_t cross = text.find('x');
+    const auto width = side(std::string_view(text).substr(0, cross));
     const auto height =
-        cross == std::string::npos ? std::nullopt : side(std::string_view(size).substr(cross + 1));
+        cross == std::string::npos ? std::nullopt : side(std::string_view(text).substr(cross + 1));
     if (!width || !height)
         throw InputError({"--size"}, fmt::format("expected WIDTHxHEIGHT, each from 1 to {}, found \"{}\"",
-                                                 largestSide, size));
+                                                 largestSide, text));
     return {*width, *height};
 }
 

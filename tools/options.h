@@ -11,6 +11,9 @@
 
 namespace nephrite::tools {
 
+/// Width and height of "WxH". Throws InputError unless both are whole numbers from 1 to 16384.
+graph::Extent pictureSize(const std::string& text);
+
 /// What names a graph, a scene and an output size.
 struct GraphArguments {
     std::filesystem::path graph;
@@ -20,8 +23,8 @@ struct GraphArguments {
     std::vector<std::filesystem::path> passPaths;
 
     void addTo(CLI::App& verb);
-    /// Width and height of "WxH". Throws InputError unless both are whole numbers from 1 to 16384.
-    graph::Extent extent() const;
+    /// See pictureSize.
+    graph::Extent extent() const { return pictureSize(size); }
 };
 
 /// `NAME=REST` split at the first `=`. Throws InputError if there is none.

@@ -17,5 +17,7 @@ void addSchemaVerb(CLI::App& app, Action& action);
 void addPassesVerb(CLI::App& app, Action& action);
 void addBenchVerb(CLI::App& app, Action& action);
 void addProfileVerb(CLI::App& app, Action& action);
+void addReferenceVerb(CLI::App& app, Action& action);
+void addMergeVerb(CLI::App& app, Action& action);
 
 }  // namespace nephrite::tools

@@ -1,0 +1,136 @@
+// The three modes.
+#include "truth/estimator.h"
+
+#include <glm/glm.hpp>
+#include <map>
+#include <numbers>
+
+#include "scattering/fresnel.h"
+#include "truth/flux_tree.h"
+#include "truth/walk.h"
+
+namespace nephrite::truth {
+namespace {
+
+const std::vector<std::string> colour{"R", "G", "B"};
+
+/// Paths through the medium; each channel has its own.
+class WalkEstimator : public Estimator {
+  public:
+    WalkEstimator(const World& world, std::uint64_t seed, Scatterings scatterings)
+        : world_(world), seed_(seed), scatterings_(scatterings) {}
+
+    std::vector<std::string> channels() const override {
+        std::vector<std::string> names = colour;
+        if (scatterings_ == Scatterings::One) return names;
+        for (const char* layer : {"single.", "multiple."})
+            for (const std::string& channel : colour) names.push_back(layer + channel);
+        return names;
+    }
+    std::uint32_t samplesPerRound() const override { return 4; }
+    void beginRound(std::uint32_t) override {}
+
+    void sample(const CameraRay& ray, const SurfacePoint& seen, std::uint32_t pixel, std::uint32_t sample,
+                std::span<double> values) const override {
+        scattering::Random random(seed_, pixel, sample);
+        for (std::size_t c = 0; c < 3; ++c) {
+            const ScatteredRadiance found =
+                sampleRadiance(world_, seen, ray.ray.direction, static_cast<int>(c), scatterings_, random);
+            values[c] = found.single + found.multiple;
+            if (scatterings_ == Scatterings::One) continue;
+            values[3 + c] = found.single;
+            values[6 + c] = found.multiple;
+        }
+    }
+
+  private:
+    const World& world_;
+    std::uint64_t seed_;
+    Scatterings scatterings_;
+};
+
+/// A layer of no thickness is skipped by depth, but it is still the first.
+scattering::Medium firstLayer(const Material& material, int channel) {
+    const MaterialLayer& layer = material.layers.front();
+    return {layer.absorption.value[channel], layer.scattering.value[channel], material.g, material.eta};
+}
+
+/// What the dipole needs of a material: its first layer.
+struct DipoleMaterial {
+    ChannelDipoles kernels;
+    double eta = 1;
+    double diffuseTransmittance = 1;  ///< 1 - F_dr,ext
+};
+
+DipoleMaterial dipoleMaterial(const Material& material) {
+    const auto dipole = [&](int channel) {
+        return scattering::Dipole(firstLayer(material, channel), scattering::InternalReflection::exact);
+    };
+    return {{dipole(0), dipole(1), dipole(2)},
+            material.eta,
+            scattering::diffuseTransmittanceOutside(material.eta)};
+}
+
+/// Each sample gathers a set of flux points of its own.
+class DipoleEstimator : public Estimator {
+  public:
+    DipoleEstimator(const World& world, std::uint64_t seed, std::uint32_t fluxPoints)
+        : world_(world), seed_(seed), fluxPoints_(fluxPoints) {
+        for (std::uint32_t object = 0; object < world.geometry().objectCount(); ++object)
+            if (world.materialOf(object).translucent())
+                materials_.emplace(object, dipoleMaterial(world.materialOf(object)));
+    }
+
+    std::vector<std::string> channels() const override { return colour; }
+    std::uint32_t samplesPerRound() const override { return 1; }
+
+    void beginRound(std::uint32_t firstSample) override {
+        trees_.clear();
+        for (auto& points : enteringFlux(world_, fluxPoints_, seed_, firstSample))
+            trees_.emplace_back(std::move(points));
+    }
+
+    void sample(const CameraRay& ray, const SurfacePoint& seen, std::uint32_t, std::uint32_t,
+                std::span<double> values) const override {
+        const DipoleMaterial& material = materials_.at(seen.object);
+        const double side = glm::dot(seen.facetNormal, ray.ray.direction) <= 0 ? 1 : -1;
+        const double cosine = -side * glm::dot(seen.normal, ray.ray.direction);
+        const double leaving = 1 - scattering::reflectanceFromOutside(cosine, material.eta);
+        if (!(leaving > 0 && cosine > 0)) return;
+        const glm::dvec3 exitance =
+            trees_[seen.object].exitance(seen.position, material.kernels, GroupRule{});
+        const glm::dvec3 radiance = exitance * (leaving / (std::numbers::pi * material.diffuseTransmittance));
+        for (std::size_t c = 0; c < 3; ++c) values[c] = radiance[static_cast<int>(c)];
+    }
+
+  private:
+    const World& world_;
+    std::uint64_t seed_;
+    std::uint32_t fluxPoints_;
+    std::map<std::uint32_t, DipoleMaterial> materials_;
+    std::vector<FluxTree> trees_;  ///< by object
+};
+
+void requireHomogeneousFirstLayers(const scene::Scene& scene) {
+    for (const scene::MaterialDescription& material : scene.description().materials) {
+        if (material.layers.empty()) continue;
+        const scene::LayerDescription& first = material.layers.front();
+        if (first.absorptionTexture || first.scatteringTexture)
+            throw InputError(first.where,
+                             "the dipole is of a homogeneous medium, but this layer is textured");
+    }
+}
+
+}  // namespace
+
+std::unique_ptr<Estimator> makeEstimator(const World& world, const EstimatorOptions& options,
+                                         const scene::Scene& scene) {
+    if (options.mode == Mode::Dipole) {
+        requireHomogeneousFirstLayers(scene);
+        return std::make_unique<DipoleEstimator>(world, options.seed, options.fluxPoints);
+    }
+    const Scatterings scatterings = options.mode == Mode::Single ? Scatterings::One : Scatterings::Any;
+    return std::make_unique<WalkEstimator>(world, options.seed, scatterings);
+}
+
+}  // namespace nephrite::truth
