@@ -39,7 +39,7 @@ std::optional<SurfacePoint> World::wayOut(const Ray& ray, const Inside& inside, 
     while (auto point = geometry_.trace(ray, from, limit)) {
         const bool leaves = inside.side * glm::dot(ray.direction, point->facetNormal) > 0;
         if (point->object == inside.object ? leaves : !materialOf(point->object).translucent()) return point;
-        from = point->distance + geometry_.surfaceOffset();
+        from = std::max(from, point->distance) + geometry_.surfaceOffset();
     }
     return std::nullopt;
 }
@@ -49,7 +49,7 @@ std::optional<SurfacePoint> World::wayIn(const Ray& ray, double limit) const {
     while (auto point = geometry_.trace(ray, from, limit)) {
         const bool enters = glm::dot(ray.direction, point->facetNormal) < 0;
         if (enters || !materialOf(point->object).translucent()) return point;
-        from = point->distance + geometry_.surfaceOffset();
+        from = std::max(from, point->distance) + geometry_.surfaceOffset();
     }
     return std::nullopt;
 }
