@@ -1,0 +1,121 @@
+// Splitting, interrupting and threading change nothing; the camera is the GPU's.
+#include "truth/rendering.h"
+
+#include <gtest/gtest.h>
+
+#include "scene/view.h"
+#include "statistics.h"
+#include "support.h"
+#include "truth/run_record.h"
+
+namespace nephrite::truth {
+namespace {
+
+const std::string skin = R"({"preset": "skin1", "eta": 1})";
+
+/// A scene with an estimator, rendered at 20 x 13.
+struct Work {
+    scene::Scene scene = test::sceneOf(test::sphereScene(skin));
+    World world{scene, 0};
+    Camera camera{scene.description().camera, 20, 13};
+    std::unique_ptr<Estimator> estimator;
+
+    explicit Work(Mode mode = Mode::Volume, std::uint64_t seed = 1)
+        : estimator(makeEstimator(world, {mode, seed, 1 << 10}, scene)) {}
+    Rendering rendering(const Part& part = {}, std::uint32_t samples = 6) {
+        return {world, camera, *estimator, part, samples};
+    }
+};
+
+image::Image rendered(Work& work, unsigned threads, const Part& part = {}) {
+    Rendering rendering = work.rendering(part);
+    rendering.run(threads, {});
+    EXPECT_TRUE(rendering.isFinished());
+    return rendering.picture();
+}
+
+TEST(Rendering, PartsAddUpToTheWhole) {
+    for (const Mode mode : {Mode::Volume, Mode::Single, Mode::Dipole}) {
+        Work work(mode);
+        const image::Image whole = rendered(work, 2);
+        image::Image sum = rendered(work, 1, {1, 3});
+        for (const std::uint32_t part : {2U, 3U}) {
+            const image::Image more = rendered(work, 1, {part, 3});
+            for (std::size_t i = 0; i < sum.pixels.size(); ++i) sum.pixels[i] += more.pixels[i];
+        }
+        EXPECT_EQ(sum.pixels, whole.pixels);
+        EXPECT_GT(*std::max_element(whole.pixels.begin(), whole.pixels.end()), 0);
+    }
+}
+
+TEST(Rendering, ContinuesWhereItStopped) {
+    for (const Mode mode : {Mode::Volume, Mode::Dipole}) {
+        Work work(mode);
+        const image::Image whole = rendered(work, 2);
+        std::string saved;
+        int stops = 0;
+        for (bool finished = false; !finished; ++stops) {
+            Rendering rendering = work.rendering();
+            if (!saved.empty()) ASSERT_TRUE(rendering.restore(saved));
+            double least = -1;
+            Watcher watcher;
+            watcher.progress = [&](double done) { least = least < 0 ? done : least; };
+            watcher.stop = [&] { return least >= 0 && stops < 3; };
+            rendering.run(2, watcher);
+            saved = rendering.save();
+            finished = rendering.isFinished();
+            if (finished) {
+                EXPECT_EQ(rendering.picture().pixels, whole.pixels);
+            }
+        }
+        Rendering other = work.rendering({}, 7);
+        EXPECT_FALSE(other.restore("short"));
+    }
+}
+
+TEST(Rendering, HalvesAgreeWithinTheirErrors) {
+    statistics::Family family;
+    std::array<image::Image, 2> means, errors;
+    for (std::size_t half = 0; half < 2; ++half) {
+        Work work(Mode::Volume, 100 + half);
+        Rendering rendering = work.rendering({}, 64);
+        rendering.run(2, {});
+        means[half] = rendering.picture();
+        errors[half] = rendering.standardErrors();
+    }
+    for (std::uint32_t y = 0; y < 13; ++y)
+        for (std::uint32_t x = 0; x < 20; ++x) {
+            const double a = errors[0].at(x, y, 0), b = errors[1].at(x, y, 0);
+            // Pixels in the dark are lit by few paths, and their means are far from normal.
+            if (!(means[0].at(x, y, 0) + means[1].at(x, y, 0) > 8 * (a + b))) continue;
+            const double difference = double{means[0].at(x, y, 0)} - double{means[1].at(x, y, 0)};
+            family.add(std::to_string(x) + "," + std::to_string(y),
+                       statistics::studentTail(difference / std::hypot(a, b), 126));
+        }
+    EXPECT_TRUE(family.holds());
+}
+
+TEST(Rendering, SeesThroughTheGpusPixels) {
+    const auto scene = test::sceneOf(test::sphereScene(skin));
+    scene::CameraDescription description = scene.description().camera;
+    description.position = {3, 20, 30};
+    description.up = {0.2, 1, 0};
+    const Camera camera(description, 32, 20);
+    const scene::View view = scene::cameraView(description, 32, 20);
+    for (std::uint32_t y = 0; y < 20; y += 19)
+        for (std::uint32_t x = 0; x < 32; x += 31) {
+            const glm::vec3 expected = scene::viewRay(view, (static_cast<float>(x) + 0.5F) / 32,
+                                                      (static_cast<float>(y) + 0.5F) / 20);
+            EXPECT_LT(glm::distance(camera.through(x, y).ray.direction, glm::dvec3(expected)), 1e-6);
+        }
+    EXPECT_GT(camera.through(16, 0).ray.direction.y, camera.through(16, 19).ray.direction.y);
+}
+
+TEST(Part, IsReadFromText) {
+    EXPECT_EQ(toText(*parsePart("2/16")), "2/16");
+    for (const char* wrong : {"", "1", "0/4", "5/4", "1/0", "-1/4", "1/4x", "a/b", "1/4/2"})
+        EXPECT_FALSE(parsePart(wrong)) << wrong;
+}
+
+}  // namespace
+}  // namespace nephrite::truth
