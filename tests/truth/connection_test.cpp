@@ -80,5 +80,14 @@ TEST(Connection, AnOpaqueObjectBlocksTheLight) {
                 std::exp(-0.1 * 8.0) / (36 + 2500), 2e-5);
 }
 
+TEST(Connection, ALightInsideTheObjectNeedsNoBoundary) {
+    const auto scene = test::sceneOf(test::sphereScene(test::material(test::layer(0.1, 0), 1.3)));
+    const World world(scene, 0);
+    scattering::Random random(1, 0, 0);
+    const Arrival arrival = connect(world, {1, 2, 3}, {1, 2, -1}, inObject, 0, random);
+    EXPECT_NEAR(arrival.irradiance, std::exp(-0.4) / 16, 1e-9);
+    EXPECT_NEAR(arrival.direction.z, -1, 1e-12);
+}
+
 }  // namespace
 }  // namespace nephrite::truth

@@ -186,7 +186,8 @@ Arrival connect(const World& world, const glm::dvec3& light, const glm::dvec3& p
     const glm::dvec3 direction = glm::normalize(point - light);
     const Arrival dark{0, direction};
     const auto straight = attempt(world, light, direction, point, inside);
-    if (!straight) return dark;
+    // A light inside the same object meets no boundary; any other is blocked.
+    if (!straight) return connectStraight(world, light, point, inside, channel, random);
     const double chance = std::min(1.0, 4 * roughTransmittance(world, *straight, point, channel));
     if (chance < 1 && !(random.uniform() < chance)) return dark;
     const auto path = refine(world, light, point, inside, *straight, direction);
