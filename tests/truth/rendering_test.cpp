@@ -56,7 +56,9 @@ TEST(Rendering, ContinuesWhereItStopped) {
         int stops = 0;
         for (bool finished = false; !finished; ++stops) {
             Rendering rendering = work.rendering();
-            if (!saved.empty()) ASSERT_TRUE(rendering.restore(saved));
+            if (!saved.empty()) {
+                ASSERT_TRUE(rendering.restore(saved));
+            }
             double least = -1;
             Watcher watcher;
             watcher.progress = [&](double done) { least = least < 0 ? done : least; };

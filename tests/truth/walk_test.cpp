@@ -30,21 +30,21 @@ void addTest(Family& family, const std::string& name, const scattering::RunningS
 class HFunction {
   public:
     explicit HFunction(double albedo) : albedo_(albedo) {
-        for (int i = 0; i < nodes; ++i) {
-            const double x = (i + 0.5) / nodes;
+        for (std::size_t i = 0; i < nodes; ++i) {
+            const double x = (static_cast<double>(i) + 0.5) / nodes;
             mu_[i] = x * x;
             weight_[i] = 2 * x / nodes;
         }
         values_.fill(1);
         for (int step = 0; step < 200; ++step) {
             std::array<double, nodes> next{};
-            for (int i = 0; i < nodes; ++i) next[i] = at(mu_[i]);
+            for (std::size_t i = 0; i < nodes; ++i) next[i] = at(mu_[i]);
             values_ = next;
         }
     }
     double at(double mu) const {
         double sum = 0;
-        for (int i = 0; i < nodes; ++i) sum += weight_[i] * mu_[i] * values_[i] / (mu + mu_[i]);
+        for (std::size_t i = 0; i < nodes; ++i) sum += weight_[i] * mu_[i] * values_[i] / (mu + mu_[i]);
         return 1 / (std::sqrt(1 - albedo_) + albedo_ / 2 * sum);
     }
 
@@ -160,7 +160,9 @@ TEST(Walk, WhiteFurnaceLosesNothing) {
             const auto found = sampleRadiance(world, sight.seen, sight.view, 2, Scatterings::Any, random);
             return found.single + found.multiple;
         });
-        if (eta == 1) EXPECT_NEAR(radiance.mean(), 1, 1e-12);
+        if (eta == 1) {
+            EXPECT_NEAR(radiance.mean(), 1, 1e-12);
+        }
         EXPECT_NEAR(radiance.mean(), entering, 4 * radiance.standardError() + 1e-9);
         EXPECT_LT(radiance.standardError(), 0.05);
     }
