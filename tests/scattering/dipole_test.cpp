@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "scattering/radial.h"
 #include "scattering/fresnel.h"
+#include "scattering/radial.h"
 #include "scattering/stress_media.h"
 
 namespace nephrite::scattering {

@@ -1,0 +1,185 @@
+// Monte Carlo against published values, the exact half space, exact single scattering, and the conservation
+// of power.
+#include "scattering/montecarlo.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "scattering/fresnel.h"
+#include "scattering/half_space.h"
+#include "scattering/photon_walk.h"
+#include "scattering/single_scattering.h"
+#include "scattering/stress_media.h"
+#include "statistics.h"
+
+namespace nephrite::scattering {
+namespace {
+
+constexpr std::uint64_t batches = 256;  // at least as many make the standard errors
+
+double powerOf(const MonteCarloResult& result) {
+    return result.specularReflectance + result.totalReflectance.value + result.totalTransmittance.value +
+           result.absorptance.value + result.lost.value;
+}
+
+TEST(MonteCarlo, HasVanDeHulstsSlab) {
+    // van de Hulst (1980), table 35: mu_a 10, mu_s 90, g 0.75, thickness 0.02, matched index.
+    const auto result =
+        simulate(layerStackOf({10, 90, 0.75, 1}, 0.02), {}, {.photons = 600000, .seed = 1, .work = {}});
+    EXPECT_NEAR(result.totalReflectance.value, 0.09739, 3 * result.totalReflectance.standardError + 5e-6);
+    EXPECT_NEAR(result.totalTransmittance.value, 0.66096, 3 * result.totalTransmittance.standardError + 5e-6);
+    EXPECT_LT(result.totalReflectance.standardError, 4e-4);
+    EXPECT_EQ(result.specularReflectance, 0);
+    EXPECT_NEAR(powerOf(result), 1, 1e-9);
+}
+
+TEST(MonteCarlo, HasGiovanellisHalfSpace) {
+    // Giovanelli (1955): mu_a 10, mu_s 90, isotropic, n 1.5: 0.2600 with the specular part.
+    const auto result =
+        simulate(layerStackOf({10, 90, 0, 1.5}), {}, {.photons = 300000, .seed = 2, .work = {}});
+    EXPECT_DOUBLE_EQ(result.specularReflectance, 0.04);
+    EXPECT_NEAR(result.specularReflectance + result.totalReflectance.value, 0.2600,
+                3 * result.totalReflectance.standardError + 5e-5);
+    EXPECT_NEAR(powerOf(result), 1, 1e-9);
+}
+
+TEST(MonteCarlo, AgreesWithTheExactHalfSpaceAndExactSingleScattering) {
+    statistics::Family family;
+    std::uint64_t seed = 11;
+    for (const Medium& medium : {Medium{0.5, 1, 0, 1}, Medium{0.2, 1, 0, 1.3}, Medium{0.5, 1, 0, 0.8}}) {
+        const auto result =
+            simulate(layerStackOf(medium), {}, {.photons = 100000, .seed = seed++, .work = {}});
+        const double entering = 1 - result.specularReflectance;
+        family.add("total",
+                   statistics::meanTest(result.totalReflectance.value, result.totalReflectance.standardError,
+                                        batches, entering * halfSpaceReflectance(medium)));
+        // Without an index step nothing comes back from the boundary to leave later.
+        if (medium.eta == 1)
+            family.add("single", statistics::meanTest(result.singleReflectance.value,
+                                                      result.singleReflectance.standardError, batches,
+                                                      SingleScattering(medium).total()));
+        family.add("lost", statistics::meanTest(result.lost.value, result.lost.standardError, batches, 0));
+    }
+    EXPECT_TRUE(family.holds());
+}
+
+TEST(MonteCarlo, HasTheExitanceOfExactSingleScatteringWhereLittleScattersTwice) {
+    // albedo 1e-3: what is scattered twice is below the noise.
+    const Medium medium{1, 1e-3, 0.3, 1};
+    const std::vector<double> radii{3, 0.3, 1};
+    const auto result = simulate(layerStackOf(medium), radii, {.photons = 400000, .seed = 3, .work = {}});
+    statistics::Family family;
+    for (std::size_t i = 0; i < radii.size(); ++i)
+        family.add(std::to_string(radii[i]),
+                   statistics::meanTest(result.exitance[i].value, result.exitance[i].standardError, batches,
+                                        SingleScattering(medium).exitance(radii[i])));
+    EXPECT_TRUE(family.holds());
+}
+
+TEST(MonteCarlo, FollowsTheLawOfBeerWhereNothingScatters) {
+    // Between two boundaries of reflectance F with transmittance t on the way: (1 - F)^2 t / (1 - F^2 t^2).
+    const double eta = 1.5;
+    const double f = 0.04;
+    const double t = std::exp(-0.7);
+    const auto result =
+        simulate(layerStackOf({0.7, 0, 0, eta}, 1), {}, {.photons = 200000, .seed = 4, .work = {}});
+    EXPECT_NEAR(result.totalTransmittance.value, (1 - f) * (1 - f) * t / (1 - f * f * t * t),
+                3 * result.totalTransmittance.standardError);
+    EXPECT_NEAR(powerOf(result), 1, 1e-9);
+}
+
+TEST(MonteCarlo, DoesNotNoticeWhereEqualLayersMeet) {
+    const LayerStack whole = layerStackOf({0.5, 2, 0.5, 1.3}, 2);
+    LayerStack cut = whole;
+    cut.layers = {{0.3, 0.5, 2}, {0, 7, 7}, {1.2, 0.5, 2}, {0.5, 0.5, 2}};
+    const auto a = simulate(whole, {}, {.photons = 100000, .seed = 5, .work = {}});
+    const auto b = simulate(cut, {}, {.photons = 100000, .seed = 6, .work = {}});
+    const auto difference = [](const Estimate& x, const Estimate& y) {
+        return statistics::meanTest(x.value - y.value, std::hypot(x.standardError, y.standardError), batches,
+                                    0);
+    };
+    statistics::Family family;
+    family.add("reflectance", difference(a.totalReflectance, b.totalReflectance));
+    family.add("transmittance", difference(a.totalTransmittance, b.totalTransmittance));
+    EXPECT_TRUE(family.holds());
+}
+
+TEST(MonteCarlo, IsTheSameOnAnyNumberOfThreads) {
+    const std::vector<double> radii{0.1, 1};
+    const LayerStack stack = layerStackOf({0.5, 2, 0.5, 1.3});
+    const auto one =
+        simulate(stack, radii, {.photons = 20000, .seed = 7, .work = {.threads = 1, .proceed = {}}});
+    const auto three =
+        simulate(stack, radii, {.photons = 20000, .seed = 7, .work = {.threads = 3, .proceed = {}}});
+    EXPECT_EQ(one.totalReflectance.value, three.totalReflectance.value);
+    EXPECT_EQ(one.totalReflectance.standardError, three.totalReflectance.standardError);
+    EXPECT_EQ(one.exitance[1].value, three.exitance[1].value);
+    const auto other = simulate(stack, radii, {.photons = 20000, .seed = 8, .work = {}});
+    EXPECT_NE(one.totalReflectance.value, other.totalReflectance.value);
+}
+
+TEST(MonteCarlo, StopsWhenAsked) {
+    const auto result = simulate(layerStackOf({0.5, 2, 0.5, 1.3}), {},
+                                 {.photons = 100000,
+                                  .seed = 7,
+                                  .work = {.threads = 2, .proceed = [](double done) { return done < 0.1; }}});
+    EXPECT_FALSE(result.complete);
+}
+
+TEST(MonteCarlo, ConservesPowerInEveryMedium) {
+    for (const Medium& medium : stressMedia()) {
+        // Where light neither is absorbed nor turns back it wanders for a million scatterings.
+        const bool wanders = medium.absorption < 1e-3 * medium.scattering && std::abs(medium.g) > 0.9;
+        for (const double thickness : {0.0, 1e-6, 1.0}) {
+            if (wanders && thickness > 1e-3) continue;
+            const std::vector<double> radii{0, 1e-3, 1};
+            const auto result =
+                simulate(layerStackOf(medium, thickness), radii, {.photons = 64, .seed = 1, .work = {}});
+            SCOPED_TRACE(testing::Message() << medium.absorption << ' ' << medium.scattering << ' '
+                                            << medium.g << ' ' << medium.eta << ' ' << thickness);
+            ASSERT_NEAR(powerOf(result), 1, 1e-9);
+            for (const Estimate& exitance : result.exitance) {
+                ASSERT_TRUE(std::isfinite(exitance.value) && std::isfinite(exitance.standardError));
+                ASSERT_GE(exitance.value, 0);
+            }
+        }
+    }
+}
+
+/// Collects the first collision of a photon: its depth, by letting it be absorbed there.
+struct FirstEvent {
+    double absorbedWeight = 0;
+    double transmittedWeight = 0;
+    void reflected(const Exit&) {}
+    void transmitted(const Exit& exit) { transmittedWeight += exit.weight; }
+    void absorbed(double weight) { absorbedWeight += weight; }
+    void lost(double) {}
+};
+
+TEST(PhotonWalk, DrawsExponentialDepths) {
+    // A slab that only absorbs is crossed with probability e^(-depth): at every thickness the share is right.
+    statistics::Family family;
+    for (const double thickness : {0.1, 1.0, 3.0}) {
+        const PhotonWalk walk(layerStackOf({1, 0, 0, 1}, thickness));
+        std::uint64_t crossed = 0;
+        constexpr std::uint64_t photons = 50000;
+        for (std::uint64_t i = 0; i < photons; ++i) {
+            FirstEvent event;
+            Random random(12, 0, i);
+            walk.follow(random, event);
+            crossed += event.transmittedWeight > 0 ? 1 : 0;
+        }
+        const std::uint64_t counts[] = {crossed, photons - crossed};
+        const double probabilities[] = {std::exp(-thickness), -std::expm1(-thickness)};
+        family.add(std::to_string(thickness), statistics::chiSquaredTest(counts, probabilities));
+    }
+    Random random(13, 0, 0);
+    family.add("exponential", statistics::sampleTest([&] { return random.exponential(); },
+                                                     [](double x) { return std::exp(-x); },
+                                                     statistics::evenEdges(0, 10, 50), 200000));
+    EXPECT_TRUE(family.holds());
+}
+
+}  // namespace
+}  // namespace nephrite::scattering

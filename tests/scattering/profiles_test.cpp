@@ -1,0 +1,215 @@
+// The planar profiles: integrals against quadrature, samples against densities, limits, and each other.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "scattering/better_dipole.h"
+#include "scattering/burley.h"
+#include "scattering/dipole.h"
+#include "scattering/fresnel.h"
+#include "scattering/gaussian_sum.h"
+#include "scattering/half_space.h"
+#include "scattering/phase.h"
+#include "scattering/photon_beam_diffusion.h"
+#include "scattering/radial.h"
+#include "scattering/stress_media.h"
+
+namespace nephrite::scattering {
+namespace {
+
+using std::numbers::pi;
+
+const Medium apple{0.003, 2.29, 0, 1.3};
+const Medium dull{0.5, 1, 0.4, 1};
+const Medium dark{2, 1, -0.3, 1.5};
+const Medium thin{0.4, 1, 0.2, 0.8};
+
+/// Total and fractions against integrals of the exitance. Beyond `edges` lies less than 1e-6 of it.
+template<class Profile>
+void expectIntegrals(const Profile& profile, const std::vector<double>& edges) {
+    const auto exitance = [&](double r) { return profile.exitance(r); };
+    EXPECT_NEAR(integrateSurface(edges, exitance) / profile.total(), 1, 3e-6);
+    const std::vector<double> part(edges.begin(), edges.begin() + std::ssize(edges) / 2);
+    EXPECT_NEAR(integrateSurface(part, exitance) / profile.total(), profile.fractionWithin(part.back()),
+                3e-6);
+    EXPECT_NEAR(profile.fractionWithin(0), 0, 1e-12);
+}
+
+TEST(BetterDipole, IsWorkedOutByHand) {
+    // sigma_a = 0, sigma_s' = 1, eta = 1: D = 1/3, A = 1, z_r = 1, z_v = 7/3; phi(0) = 3/(4 pi) (1 - 3/7),
+    // E(0) = 1/(4 pi) (1 + 9/49), R = phi/4 + E/2.
+    const BetterDipole dipole({0, 1, 0, 1});
+    EXPECT_NEAR(dipole.exitance(0), (3 * (4.0 / 7) / 4 + (58.0 / 49) / 2) / (4 * pi), 1e-15);
+    EXPECT_NEAR(dipole.total(), 1, 1e-15);  // everything leaves: z_v - z_r = 4/3, 4/3 / (2/3) / 4 + 1/2
+}
+
+TEST(BetterDipole, HasTheTotalAndFractionsOfItsIntegral) {
+    for (const Medium& medium : {apple, dull, dark, thin}) {
+        const double unit = 1 / reducedExtinction(medium);
+        expectIntegrals(BetterDipole(medium), logarithmicEdges(0.01 * unit, 1000 * unit, 10));
+    }
+}
+
+TEST(PhotonBeamDiffusion, HasTheTotalAndFractionsOfItsIntegral) {
+    for (const Medium& medium : {apple, dull, dark}) {
+        const double unit = 1 / reducedExtinction(medium);
+        expectIntegrals(PhotonBeamDiffusion(medium, 10), logarithmicEdges(1e-4 * unit, 1000 * unit, 5));
+    }
+}
+
+/// Single scattering by the midpoint rule over the depth of the event, which shares no substitution with the
+/// code.
+double singleOverDepth(const Medium& medium, double radius) {
+    constexpr int cells = 400000;
+    const double sigma = extinction(medium);
+    const double deepest = 40 / sigma;
+    double sum = 0;
+    for (int i = 0; i < cells; ++i) {
+        const double depth = deepest * std::pow((i + 0.5) / cells, 2);
+        const double width = deepest * 2 * (i + 0.5) / cells / cells;
+        const double way = std::hypot(depth, radius);
+        const double cosine = depth / way;
+        sum += width * medium.scattering * std::exp(-sigma * (depth + way)) *
+               henyeyGreenstein(-cosine, medium.g) * (1 - reflectanceFromInside(cosine, medium.eta)) *
+               cosine / (way * way);
+    }
+    return sum;
+}
+
+TEST(SingleScattering, IsTheIntegralOverDepth) {
+    for (const Medium& medium : {apple, dull, dark, thin, Medium{0.1, 3, 0.9, 1.3}})
+        for (const double radius : {0.05, 0.7, 3.0}) {
+            const double expected = singleOverDepth(medium, radius);
+            EXPECT_NEAR(SingleScattering(medium).exitance(radius), expected, 1e-5 * expected);
+        }
+}
+
+TEST(SingleScattering, IsWorkedOutByHand) {
+    // Isotropic, matched index: albedo/2 int c/(1 + c) dc = albedo/2 (1 - ln 2).
+    EXPECT_NEAR(SingleScattering({1, 3, 0, 1}).total(), 0.75 / 2 * (1 - std::numbers::ln2), 1e-13);
+}
+
+TEST(SingleScattering, HasTheTotalAndFractionsOfItsIntegral) {
+    for (const Medium& medium : {apple, dull, dark}) {
+        const double unit = 1 / extinction(medium);
+        expectIntegrals(SingleScattering(medium), logarithmicEdges(1e-4 * unit, 30 * unit, 5));
+    }
+}
+
+TEST(Burley, HasThePublishedScaling) {
+    EXPECT_NEAR(burleyScaling(0.8), 1.05, 1e-15);
+    EXPECT_NEAR(burleyScaling(0.3), 1.85 - 0.3 + 7 * 0.125, 1e-14);
+    EXPECT_DOUBLE_EQ(Burley({0.5, 1, 0, 1}).scaling(), burleyScaling(halfSpaceReflectance({0.5, 1, 0, 1})));
+}
+
+TEST(Burley, HasTheTotalAndFractionsOfItsIntegral) {
+    for (const Medium& medium : {apple, dull, dark}) {
+        const double unit = 1 / reducedExtinction(medium);
+        expectIntegrals(Burley(medium), logarithmicEdges(1e-4 * unit, 200 * unit, 10));
+    }
+}
+
+TEST(GaussianSum, IsThePublishedSkin) {
+    for (const ColorChannel channel : {ColorChannel::red, ColorChannel::green, ColorChannel::blue})
+        EXPECT_NEAR(skinGaussians(channel).total(), 1, 1e-12);
+    EXPECT_NEAR(skinGaussians(ColorChannel::blue).exitance(0),
+                (0.649 / 0.0064 + 0.344 / 0.0484 + 0.007 / 0.567) / (2 * pi), 1e-12);
+}
+
+TEST(GaussianSum, HasTheTotalAndFractionsOfItsIntegral) {
+    expectIntegrals(skinGaussians(ColorChannel::red), logarithmicEdges(1e-3, 30, 10));
+    expectIntegrals(fittedGaussians(apple), logarithmicEdges(1e-3, 100, 10));
+}
+
+TEST(GaussianSum, FollowsTheDipoleItIsFittedTo) {
+    for (const Medium& medium : {apple, dull, dark}) {
+        const Dipole dipole(medium, InternalReflection::exact);
+        const GaussianSum sum = fittedGaussians(medium);
+        EXPECT_NEAR(sum.total(), dipole.total(), 1e-12);
+        for (const RadialGaussian& term : sum.terms()) EXPECT_GE(term.weight, 0);
+        // The largest distance of the two distributions; six terms reach a few per cent.
+        for (const double radius :
+             logarithmicEdges(0.05 / reducedExtinction(medium), 50 / reducedExtinction(medium), 5))
+            EXPECT_NEAR(sum.fractionWithin(radius), dipole.fractionWithin(radius), 0.06) << radius;
+    }
+}
+
+TEST(Profiles, AreSampledByTheirOwnDensity) {
+    statistics::Family family;
+    std::uint64_t seed = 77;
+    for (const Medium& medium : {apple, dull, dark, thin, Medium{0, 1, 0, 1.3}}) {
+        const double unit = 1 / reducedExtinction(medium);
+        const auto edges = logarithmicEdges(0.02 * unit, 30 * unit, 8);
+        family.add("better dipole", radiusTest(BetterDipole(medium), edges, seed++));
+        family.add("single scattering", radiusTest(SingleScattering(medium), edges, seed++));
+        family.add("photon beam diffusion",
+                   radiusTest(PhotonBeamDiffusion(medium, 10), edges, seed++, 20000));
+        family.add("Burley", radiusTest(Burley(medium), edges, seed++));
+    }
+    family.add("Gaussians",
+               radiusTest(skinGaussians(ColorChannel::red), logarithmicEdges(0.01, 10, 8), seed++));
+    EXPECT_TRUE(family.holds());
+}
+
+TEST(Profiles, AreNotSampledByAnothersDensity) {
+    Random random(5, 0, 0);
+    const Burley burley(apple);
+    const BetterDipole dipole(apple);
+    statistics::Family family;
+    family.add("Burley", statistics::sampleTest(
+                             [&] { return burley.sampleRadius(random); },
+                             [&](double r) { return 2 * pi * r * dipole.exitance(r) / dipole.total(); },
+                             logarithmicEdges(0.01, 30, 8), 100000));
+    EXPECT_FALSE(family.holds());
+}
+
+/// Finite, not negative, falling with the radius, and never more than comes in.
+template<class Profile>
+void expectSound(const Profile& profile, const Medium& medium, double most) {
+    SCOPED_TRACE(testing::Message() << medium.absorption << ' ' << medium.scattering << ' ' << medium.g << ' '
+                                    << medium.eta);
+    EXPECT_GE(profile.total(), 0);
+    EXPECT_LE(profile.total(), most);
+    double last = profile.exitance(0);
+    EXPECT_TRUE(std::isfinite(last));
+    for (const double radius : {1e-6, 1e-3, 1.0, 1e3, 1e6}) {
+        const double value = profile.exitance(radius);
+        EXPECT_GE(value, 0) << radius;
+        EXPECT_LE(value, last * (1 + 1e-12)) << radius;
+        last = value;
+    }
+}
+
+TEST(Profiles, AreSoundInEveryMedium) {
+    for (const Medium& medium : stressMedia()) {
+        expectSound(BetterDipole(medium), medium, 1 + 1e-12);
+        expectSound(SingleScattering(medium), medium, 1 + 1e-12);
+        // Diffusion plus exact single scattering is not bound to conserve power where scattering is far from
+        // isotropic.
+        expectSound(PhotonBeamDiffusion(medium, 4), medium, 2);
+        expectSound(fittedGaussians(medium), medium, 1 + 1e-12);
+    }
+    for (const Medium& medium :
+         {apple, dull, dark, thin, Medium{}, Medium{0, 1, 1, 1.3}, Medium{1e4, 1e-6, 0, 4}})
+        expectSound(Burley(medium), medium, 1 + 1e-9);
+}
+
+TEST(Profiles, ScaleWithTheMedium) {
+    for (const double scale : {1e-4, 1e4}) {
+        const Medium scaled{apple.absorption * scale, apple.scattering * scale, apple.g, apple.eta};
+        for (const double radius : {0.01, 0.5, 3.0}) {
+            const auto same = [&](const auto& small, const auto& profile) {
+                EXPECT_NEAR(small.exitance(radius / scale) / (scale * scale) / profile.exitance(radius), 1,
+                            1e-9);
+            };
+            same(BetterDipole(scaled), BetterDipole(apple));
+            same(PhotonBeamDiffusion(scaled, 10), PhotonBeamDiffusion(apple, 10));
+            same(fittedGaussians(scaled), fittedGaussians(apple));
+            same(Burley(scaled), Burley(apple));
+        }
+    }
+}
+
+}  // namespace
+}  // namespace nephrite::scattering
