@@ -47,8 +47,9 @@ TEST(Connection, FindsThePowerThatEnters) {
         const auto scene = test::sceneOf(test::sphereScene(test::material(test::layer(1, 0), eta)));
         const World world(scene, 0);
         const glm::dvec3 light = scene.description().lights[0].position;
+        const auto points = enteringFlux(world, 1 << 14, 1, 0);
         double entering = 0;
-        for (const FluxPoint& point : enteringFlux(world, 1 << 14, 1, 0)[0]) entering += point.flux.x;
+        for (const FluxPoint& point : points[0]) entering += point.flux.x;
         const double shell = 6;  // mm; e^-6 of the power goes deeper along a perpendicular path
         const double volume = 4 / 3.0 * std::numbers::pi * (1000 - std::pow(10 - shell, 3));
         const auto absorbed = test::estimate(4, 40000, [&](scattering::Random& random) {
