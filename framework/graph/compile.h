@@ -11,8 +11,7 @@
 
 namespace nephrite::graph {
 
-/// What a scene tells the compiler: the facts expressions may name (scene.FACT) and how many views its lights
-/// have.
+/// What a scene tells the compiler: the facts expressions may name (scene.FACT).
 struct SceneFacts {
     std::uint32_t translucentMaterials = 0;
     std::uint32_t opaqueMaterials = 0;

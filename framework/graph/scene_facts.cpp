@@ -10,14 +10,15 @@ struct Fact {
     std::string_view name;
     std::uint32_t SceneFacts::*member;
 };
-constexpr std::array<Fact, 8> facts{{{"translucentMaterials", &SceneFacts::translucentMaterials},
+constexpr std::array<Fact, 9> facts{{{"translucentMaterials", &SceneFacts::translucentMaterials},
                                      {"opaqueMaterials", &SceneFacts::opaqueMaterials},
                                      {"pointLights", &SceneFacts::pointLights},
                                      {"environment", &SceneFacts::environment},
                                      {"maxLayers", &SceneFacts::maxLayers},
                                      {"layerTextures", &SceneFacts::layerTextures},
                                      {"animated", &SceneFacts::animated},
-                                     {"objects", &SceneFacts::objects}}};
+                                     {"objects", &SceneFacts::objects},
+                                     {"lightViews", &SceneFacts::lightViews}}};
 
 }  // namespace
 
