@@ -34,6 +34,7 @@ constexpr std::string_view loads = R"(
 @VECTOR@ load_@NAME@(ivec2 p, int level) { return fetch_@NAME@(p, @FIRST@, level); }
 @VECTOR@ loadLevel_@NAME@(ivec2 p, int level) { return fetch_@NAME@(p, @FIRST@, level); }
 @VECTOR@ loadLayer_@NAME@(ivec2 p, int layer) { return fetch_@NAME@(p, @LAYER@, 0); }
+@VECTOR@ loadLayer_@NAME@(ivec2 p, int layer, int level) { return fetch_@NAME@(p, @LAYER@, level); }
 int layers_@NAME@() { return @LAYERS@; }
 )";
 
@@ -115,6 +116,7 @@ void storeLayer_@NAME@(ivec2 p, int layer, @VECTOR@ value) { put_@NAME@(p, @LAYE
 @VECTOR@ load_@NAME@(ivec2 p, int level) { return fetch_@NAME@(p, @FIRST@, level); }
 @VECTOR@ load_@NAME@(ivec2 p) { return fetch_@NAME@(p, @FIRST@, int(iteration) - 1); }
 @VECTOR@ loadLayer_@NAME@(ivec2 p, int layer) { return fetch_@NAME@(p, @LAYER@, int(iteration) - 1); }
+@VECTOR@ loadLayer_@NAME@(ivec2 p, int layer, int level) { return fetch_@NAME@(p, @LAYER@, level); }
 )";
 
 constexpr std::string_view attachmentExtent = R"(

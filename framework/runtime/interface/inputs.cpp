@@ -17,6 +17,7 @@ int levels_@NAME@() { return 1; }
 @VECTOR@ load_@NAME@(ivec2 p, int level) { return neutral_@NAME@; }
 @VECTOR@ loadLevel_@NAME@(ivec2 p, int level) { return neutral_@NAME@; }
 @VECTOR@ loadLayer_@NAME@(ivec2 p, int layer) { return neutral_@NAME@; }
+@VECTOR@ loadLayer_@NAME@(ivec2 p, int layer, int level) { return neutral_@NAME@; }
 @VECTOR@ sample_@NAME@(vec2 uv) { return neutral_@NAME@; }
 @VECTOR@ sampleLevel_@NAME@(vec2 uv, float level) { return neutral_@NAME@; }
 @VECTOR@ sampleLayer_@NAME@(vec2 uv, int layer) { return neutral_@NAME@; }
