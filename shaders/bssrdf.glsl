@@ -15,13 +15,12 @@ struct Dipole {
 /// Below this reduced scattering (a mean free path of 1,000 km) a medium counts as clear: 1/z^3 would leave float's range.
 const float leastScattering = 1e-9;
 
-/// The dipole of a medium. Where it does not scatter, alpha' is 0 and the depths are 1 mm, so that R_d is 0 and not 0/0.
-Dipole dipoleOf(vec3 absorption, vec3 scattering, float g, float eta) {
+/// The dipole of a medium under a boundary of mismatch A. Where it does not scatter, alpha' is 0 and the depths are 1 mm,
+/// so that R_d is 0 and not 0/0.
+Dipole dipoleUnder(float boundary, vec3 absorption, vec3 scattering, float g) {
     vec3 reduced = (1.0 - g) * scattering;
     bvec3 scatters = greaterThan(reduced, vec3(leastScattering));
     vec3 extinction = mix(vec3(1.0), reduced + absorption, scatters);
-    float internalReflection = diffuseFresnelReflectance(eta);
-    float boundary = (1.0 + internalReflection) / (1.0 - internalReflection);
 
     Dipole dipole;
     dipole.reducedAlbedo = mix(vec3(0.0), reduced / extinction, scatters);
@@ -29,6 +28,17 @@ Dipole dipoleOf(vec3 absorption, vec3 scattering, float g, float eta) {
     dipole.realDepth = 1.0 / extinction;
     dipole.virtualDepth = dipole.realDepth * (1.0 + 4.0 / 3.0 * boundary);
     return dipole;
+}
+
+/// As the literal reading has it: A from the fit of F_dr.
+Dipole dipoleOf(vec3 absorption, vec3 scattering, float g, float eta) {
+    float internalReflection = diffuseFresnelReflectance(eta);
+    return dipoleUnder((1.0 + internalReflection) / (1.0 - internalReflection), absorption, scattering, g);
+}
+
+/// The integral of R_d over the surface: what part of the power that enters leaves again.
+vec3 totalReflectance(Dipole dipole) {
+    return 0.5 * dipole.reducedAlbedo * (exp(-dipole.transport * dipole.realDepth) + exp(-dipole.transport * dipole.virtualDepth));
 }
 
 /// One source of the dipole at depth z, seen from `squaredRadius` mm^2 along the surface, 1/mm^2.

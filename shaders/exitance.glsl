@@ -1,0 +1,42 @@
+// What the estimators of multiple scattering share: the medium at a pixel, and the radiance that its exitance M shows.
+#ifndef EXITANCE_GLSL
+#define EXITANCE_GLSL
+
+#include "fresnel.glsl"
+#include "surface.glsl"
+
+/// A translucent surface point in the picture.
+struct ShadedPoint {
+    vec3 position;    // mm
+    vec3 normal;      // unit
+    vec3 toViewer;    // unit
+    uint material;
+    float g;
+    float eta;
+    vec3 absorption;  // of the first layer, 1/mm
+    vec3 scattering;  // not reduced
+};
+
+/// From the texels of a G-buffer whose material has layers.
+ShadedPoint shadedPointOf(vec4 positionTexel, vec4 normalTexel, vec4 surfaceTexel) {
+    uint material = materialOf(surfaceTexel);
+    LayerCoefficients first = layerAt(material, 0u, surfaceTexel.xy);
+    return ShadedPoint(positionTexel.xyz, unitOrZero(normalTexel.xyz), unitOrZero(camera.position - positionTexel.xyz),
+                       material, materials[material].g, materials[material].eta, first.absorption, first.scattering);
+}
+
+/// L = M/pi F_t(mu)/(1 - F_dr,ext), W/mm^2/sr: diffuse light that leaves through the boundary, so that its integral over
+/// the outside, weighted by the cosine, is M (Jensen et al. 2001 leave out the denominator and lose 6 % at eta = 1.3).
+vec3 radianceOf(vec3 exitance, ShadedPoint point) {
+    const float inversePi = 0.318309886183791;
+    float transmittance = 1.0 - fresnelReflectance(dot(point.normal, point.toViewer), point.eta);
+    return exitance * (inversePi * transmittance / diffuseTransmittance(point.eta));
+}
+
+/// Irradiance from the environment that enters at the point, W/mm^2. It varies so slowly along the surface that what
+/// leaves is that times the total reflectance.
+vec3 enteringEnvironment(ShadedPoint point) {
+    return diffuseTransmittance(point.eta) * environmentIrradiance(point.normal);
+}
+
+#endif

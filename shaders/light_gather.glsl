@@ -1,0 +1,58 @@
+// Multiple scattering: the dipole summed over the flux that enters in the lights' views, through the flux pyramid.
+#include "bssrdf.glsl"
+#include "exitance.glsl"
+#include "flux_traversal.glsl"
+
+/// Radiant exitance per intensity, 1/mm^2 times sr, at a point from the flux that one light view sees.
+vec3 exitanceFrom(uint view, ShadedPoint point, Dipole dipole) {
+    float texelRadius = squaredTexelRadius(view, point.position, point.normal);
+    vec3 realDepth = blurredDepth(dipole.realDepth, texelRadius);
+    vec3 virtualDepth = blurredDepth(dipole.virtualDepth, texelRadius);
+    vec3 realLead = dipole.transport * (realDepth - dipole.realDepth);
+    vec3 virtualLead = dipole.transport * (virtualDepth - dipole.virtualDepth);
+    float nearest = min(realDepth.x, min(realDepth.y, realDepth.z));
+
+    int layer = patchLayer(view, point.material);
+    int top = topLevel(baseSize());
+    float opening = params.openingAngle * params.openingAngle;
+    vec3 sum = vec3(0.0);
+    PyramidPlace place = pyramidTop();
+    while (place.level <= top) {
+        FluxPatch lit = patchAt(place, layer);
+        vec3 along = point.position - lit.centre;
+        float squaredDistance = dot(along, along);
+        if (isOpened(lit, place, squaredDistance, nearest, opening)) {
+            place = firstPart(place);
+            continue;
+        }
+        vec3 spread = vec3(squaredDistance + lit.variance);
+        sum += lit.flux * (realDepth * meanKernel(squaredDistance, lit.variance, spread + realDepth * realDepth,
+                                                  dipole.transport, realLead) +
+                           virtualDepth * meanKernel(squaredDistance, lit.variance, spread + virtualDepth * virtualDepth,
+                                                     dipole.transport, virtualLead));
+        place = nextPlace(place);
+    }
+    const float inverseFourPi = 0.0795774715459477;
+    return inverseFourPi * dipole.reducedAlbedo * sum;
+}
+
+vec3 multipleScattering(ShadedPoint point) {
+    Dipole dipole = dipoleUnder(boundaryMismatch(point.eta), point.absorption, point.scattering, point.g);
+    vec3 exitance = totalReflectance(dipole) * enteringEnvironment(point);
+    if (connected(patchAtlas)) {
+        for (uint view = 0u; view < lightViewCount; ++view) {
+            exitance += lights[lightViews[view].light].intensity * exitanceFrom(view, point, dipole);
+        }
+    }
+    return radianceOf(exitance, point);
+}
+
+void pixel(ivec2 p) {
+    vec4 positionTexel = load(position, p);
+    vec4 surfaceTexel = load(surface, p);
+    vec3 scattered = vec3(0.0);
+    if (positionTexel.w > 0.0 && materials[materialOf(surfaceTexel)].layerCount > 0u) {
+        scattered = multipleScattering(shadedPointOf(positionTexel, load(normal, p), surfaceTexel));
+    }
+    store(radiance, p, vec4(scattered, positionTexel.w));
+}
