@@ -10,9 +10,9 @@
 #include <numbers>
 
 #include "reference/dumped_frame.h"
-#include "reference/scratch.h"
 #include "reference/sphere_dipole.h"
 #include "runtime/session.h"
+#include "scratch_folder.h"
 
 namespace nephrite::reference {
 namespace {
@@ -34,16 +34,16 @@ std::filesystem::path write(const SphereScene& s) {
         return fmt::format("[{}, {}, {}]", v[0] * factor, v[1] * factor, v[2] * factor);
     };
     const double k = s.scale;
-    return writeScratch("consistent-sphere.json",
-                        fmt::format(
-                            R"json({{ "millimetersPerUnit": 1,
+    return sharedScratchFolder().write(
+        "consistent-sphere.json", fmt::format(
+                                      R"json({{ "millimetersPerUnit": 1,
  "camera": {{"position": [0, 0, {}], "target": [0, 0, 0], "up": [0, 1, 0], "fovY": 36, "near": {}, "far": {}}},
  "lights": [{{"type": "point", "position": {}, "intensity": [{}, {}, {}]}}],
  "materials": {{"medium": {{"layers": [{{"absorption": {}, "scattering": {}}}], "g": {}, "eta": {}, "specular": false}}}},
  "objects": [{{"mesh": {{"procedural": "sphere", "radius": {}}}, "material": "medium"}}] }})json",
-                            40 * k, k, 1000 * k, triple(s.light, k), s.intensity * k * k, s.intensity * k * k,
-                            s.intensity * k * k, triple(s.absorption, 1 / k), triple(s.scattering, 1 / k),
-                            s.g, s.eta, 10 * k));
+                                      40 * k, k, 1000 * k, triple(s.light, k), s.intensity * k * k,
+                                      s.intensity * k * k, s.intensity * k * k, triple(s.absorption, 1 / k),
+                                      triple(s.scattering, 1 / k), s.g, s.eta, 10 * k));
 }
 
 image::Image rendered(const std::string& graph, const SphereScene& scene, std::uint32_t size,
