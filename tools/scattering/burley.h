@@ -21,7 +21,7 @@ class Burley {
   public:
     explicit Burley(const Medium& medium);
 
-    /// Below a millionth of l, which holds less than a millionth of the power, the pole at 0 is taken as
+    /// Below a millionth of l, which holds a few millionths of the power, the pole at 0 is taken as
     /// constant, 1/mm^2.
     double exitance(double radius) const;
     double total() const { return albedo_; }

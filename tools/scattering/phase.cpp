@@ -18,14 +18,25 @@ double complementOfSquare(double a) {
     return (1 - a) * (1 + a);
 }
 
+/// Henyey and Greenstein's formula for 1 - cos of the angle to the peak, with 1 + g^2 - 2 g c as a sum of
+/// positive terms.
+double henyeyGreensteinAside(double aside, double g) {
+    const double away = 1 - std::abs(g);
+    const double squared = away * away + 2 * std::abs(g) * aside;
+    return complementOfSquare(g) / (4 * std::numbers::pi * squared * std::sqrt(squared));
+}
+
 }  // namespace
 
 double henyeyGreenstein(double cosine, double g) {
     g = limited(g);
-    // 1 + g^2 - 2 g c as a sum of positive terms.
-    const double away = 1 - std::abs(g);
-    const double squared = away * away + 2 * (std::abs(g) - g * cosine);
-    return complementOfSquare(g) / (4 * std::numbers::pi * squared * std::sqrt(squared));
+    return henyeyGreensteinAside(g < 0 ? 1 + cosine : 1 - cosine, g);
+}
+
+double henyeyGreensteinBackward(double angle, double g) {
+    g = limited(g);
+    const double root = g < 0 ? std::sin(angle / 2) : std::cos(angle / 2);
+    return henyeyGreensteinAside(2 * root * root, g);
 }
 
 double sampleHenyeyGreenstein(double g, double uniform) {

@@ -10,6 +10,8 @@ inline constexpr double largestAnisotropy = 1 - 1e-9;
 
 /// Henyey and Greenstein (1941): (1 - g^2) / (4 pi (1 + g^2 - 2 g c)^1.5), 1/sr.
 double henyeyGreenstein(double cosine, double g);
+/// The same at `angle` from straight back, 0 to pi: keeps the digits that a cosine loses where g is near -1.
+double henyeyGreensteinBackward(double angle, double g);
 /// The cosine drawn with density 2 pi henyeyGreenstein(cosine, g) by inverting its integral; `uniform` in [0,
 /// 1).
 double sampleHenyeyGreenstein(double g, double uniform);

@@ -31,15 +31,16 @@ double integrateTowardsBoth(double high, Function function) {
 }  // namespace
 
 SingleScattering::SingleScattering(const Medium& medium) : medium_(medium), total_(0) {
-    total_ = integrateTowardsBoth(criticalAngle(medium.eta), [&](double angle) {
-        return std::sin(angle) * escapingTowards(std::cos(angle));
-    });
+    total_ = integrateTowardsBoth(criticalAngle(medium.eta),
+                                  [&](double angle) { return std::sin(angle) * escapingAt(angle); });
 }
 
-/// What leaves per unit of the cosine, over all depths: albedo 2 pi p(-c) F_t(c) c / (1 + c).
-double SingleScattering::escapingTowards(double cosine) const {
+/// What leaves at an angle to the normal per unit of its cosine c, over all depths: albedo 2 pi p(-c) F_t(c)
+/// c / (1 + c).
+double SingleScattering::escapingAt(double angle) const {
+    const double cosine = std::cos(angle);
     const double transmittance = 1 - reflectanceFromInside(cosine, medium_.eta);
-    return albedo(medium_) * 2 * pi * henyeyGreenstein(-cosine, medium_.g) * transmittance * cosine /
+    return albedo(medium_) * 2 * pi * henyeyGreensteinBackward(angle, medium_.g) * transmittance * cosine /
            (1 + cosine);
 }
 
@@ -51,7 +52,7 @@ double SingleScattering::exitance(double radius) const {
         const double cosine = std::cos(angle);
         const double way = opticalRadius * (1 + cosine) / std::sin(angle);
         const double transmittance = 1 - reflectanceFromInside(cosine, medium_.eta);
-        return cosine * henyeyGreenstein(-cosine, medium_.g) * transmittance * std::exp(-way);
+        return cosine * henyeyGreensteinBackward(angle, medium_.g) * transmittance * std::exp(-way);
     });
     return medium_.scattering * extinction(medium_) / opticalRadius * integral;
 }
@@ -61,7 +62,7 @@ double SingleScattering::fractionWithin(double radius) const {
     const double inside = integrateTowardsBoth(criticalAngle(medium_.eta), [&](double angle) {
         const double cosine = std::cos(angle);
         const double way = radius * extinction(medium_) * (1 + cosine) / std::sin(angle);
-        return std::sin(angle) * escapingTowards(cosine) * -std::expm1(-way);
+        return std::sin(angle) * escapingAt(angle) * -std::expm1(-way);
     });
     return inside / total_;
 }

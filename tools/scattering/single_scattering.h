@@ -15,7 +15,7 @@ class SingleScattering {
     explicit SingleScattering(const Medium& medium);
 
     /// Radiant exitance, 1/mm^2. It grows as 1/r towards the axis; below a millionth of the mean free path,
-    /// which holds a millionth of it, it is taken as constant.
+    /// which holds a few millionths of it, it is taken as constant.
     double exitance(double radius) const;
     double total() const { return total_; }
     double fractionWithin(double radius) const;
@@ -23,7 +23,7 @@ class SingleScattering {
     double sampleRadius(Random& random) const;
 
   private:
-    double escapingTowards(double cosine) const;
+    double escapingAt(double angle) const;
 
     Medium medium_;
     double total_;
