@@ -44,6 +44,16 @@ TEST(HenyeyGreenstein, IsTheFormula) {
     EXPECT_NEAR(henyeyGreenstein(-0.2, 0.7), 0.51 / (4 * pi * std::pow(1.77, 1.5)), 1e-16);
 }
 
+TEST(HenyeyGreenstein, IsTheSameFromStraightBack) {
+    for (const double g : anisotropies)
+        for (const double angle : {0.0, 0.3, 1.5, 3.0, pi})
+            EXPECT_NEAR(henyeyGreensteinBackward(angle, g) / henyeyGreenstein(-std::cos(angle), g), 1, 1e-9)
+                << g;
+    // Near -1 the peak is narrower than a cosine can tell: at twice its width, (1 + 4)^-1.5 of its height.
+    EXPECT_NEAR(henyeyGreensteinBackward(2e-8, -1 + 1e-8) / henyeyGreensteinBackward(0, -1 + 1e-8),
+                std::pow(5, -1.5), 1e-6);
+}
+
 TEST(HenyeyGreenstein, IntegratesToOneWithMeanCosineG) {
     for (const double g : anisotropies) {
         EXPECT_NEAR(integrateSphere(g, henyeyGreenstein, [](double) { return 1; }), 1, 1e-9) << g;
