@@ -121,8 +121,8 @@ TEST(ConsistentSphere, ScreenGatherIsNoCloserThanWhatTheCameraSees) {
 
 TEST(ConsistentSphere, MeanDoesNotDependOnTheSizeOfThePicture) {
     for (const char* graph : estimators) {
-        const auto coarse = meanOf(rendered(graph, {}, 96));
-        const auto fine = meanOf(rendered(graph, {}, 192));
+        const auto coarse = meanOf(rendered(graph, {}, 256));
+        const auto fine = meanOf(rendered(graph, {}, 512));
         for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(fine[c] / coarse[c], 1, 0.01) << graph;
     }
 }

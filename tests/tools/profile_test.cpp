@@ -136,7 +136,7 @@ TEST_F(ProfileVerb, NamesFaultsOfALayersFile) {
   "eta": 0})json");
     const Answer answer = place_.run("profile --model montecarlo --layers l.json");
     EXPECT_EQ(answer.status, 2);
-    EXPECT_THAT(answer.errors, HasSubstr("l.json:2:39: error: "));
+    EXPECT_THAT(answer.errors, HasSubstr("l.json:2:40: error: "));
     EXPECT_THAT(answer.errors, HasSubstr("did you mean \"scattering\"?"));
     EXPECT_THAT(answer.errors, HasSubstr("only the last layer may be infinitely thick"));
     EXPECT_THAT(answer.errors, HasSubstr("l.json:3:17: error: "));
