@@ -89,14 +89,14 @@ struct Specimens {
         constexpr graph::Index enough = 5'000;  // passes altogether
         constexpr graph::Index enoughOfFloor = 20'000;
         const auto count = [&](graph::Index all) { return std::max(graph::Index{3}, all / passes); };
-        for (std::uint64_t seed = 1; seed <= count(enoughOfFloor); ++seed) {
-            graph::CompileRequest request;
+        for (std::uint64_t seed = 1; seed <= count(enough); ++seed) {
+            graph::CompileRequest& request = requests.emplace_back();
             request.graph = syntheticGraph(shape, passes, seed, types);
             request.view = {1920, 1080};
             request.policy = policy;
-            floors.emplace_back(*request.graph);
-            if (seed <= count(enough)) requests.push_back(std::move(request));
         }
+        for (std::uint64_t seed = 1; seed <= count(enoughOfFloor); ++seed)
+            floors.emplace_back(*syntheticGraph(shape, passes, seed, types));
     }
 };
 

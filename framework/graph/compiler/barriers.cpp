@@ -52,7 +52,6 @@ class Scheduler {
         }
         copyOut();
         endFrame();
-        finish();
         return std::move(result_);
     }
 
@@ -264,13 +263,6 @@ class Scheduler {
             if (final == Layout::Undefined) continue;
             use({i, lastPoint(), 0, final, false, false, every, every},
                 static_cast<Index>(plan_.passes.size()));
-        }
-    }
-
-    /// Batches without barriers lie between their neighbours.
-    void finish() {
-        for (Range& batch : result_.batches) {
-            if (batch.count == 0) batch.first = 0;
         }
     }
 

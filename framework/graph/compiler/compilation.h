@@ -67,6 +67,8 @@ struct Compilation {
 
     std::pmr::memory_resource* memory() { return arena.memory(); }
     Index portIndex(Index node, Index port) const { return graph.nodes[node].formats.first + port; }
+    /// The linked input that an output port modifies, or noIndex.
+    Index modifiedBy(Index port) const { return graph.hasModifiers ? graph.modifies[port] : noIndex; }
     const NodeDescription& description(Index node) const { return graph.description.nodes[node]; }
     const PassType& typeOf(Index node) const { return *graph.nodes[node].type; }
     bool runs(Index node) const { return plan.nodes[node].state == NodeState::Run; }

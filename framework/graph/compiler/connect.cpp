@@ -34,7 +34,7 @@ class PassConnector {
         if (linked.role == NodeRole::TileList)
             return plan_.resources[work_.resources[linked.formats.first]].extent;
         const Extent extent = work_.extents[linked.formats.first];
-        const Index modified = work_.graph.modifies[linked.formats.first];
+        const Index modified = work_.modifiedBy(linked.formats.first);
         if (modified == noIndex || !work_.inputIsRead[modified]) return extent;
         const LinkedInput& input = work_.graph.inputs[modified];
         return input.mip == every ? extent : levelExtent(extent, input.mip);
@@ -104,7 +104,7 @@ class PassConnector {
         for (Index port = 0; port < linked.formats.count; ++port) {
             const Index flat = linked.formats.first + port;
             plan_.outputs.push_back(work_.resources[flat]);
-            const Index modified = work_.graph.modifies[flat];
+            const Index modified = work_.modifiedBy(flat);
             if (modified == noIndex || pass.iterations == 0) continue;
             modifies = true;
             InputRead& read = plan_.inputs[pass.inputs.first + modified - linked.inputs.first];

@@ -59,7 +59,7 @@ class ResourceMaker {
 
     /// The resource that the port's node writes in place, or noIndex.
     Index modifiedResource(Index port) const {
-        const Index input = work_.graph.modifies[port];
+        const Index input = work_.modifiedBy(port);
         if (input == noIndex || onlyCleared_ || !work_.inputIsRead[input]) return noIndex;
         return work_.resources[work_.contentsOf(work_.graph.inputs[input])];
     }
