@@ -17,7 +17,7 @@ namespace nephrite::truth {
 /// changes by no more than that within the group. The group stands at its centre of power, so what is left is
 /// of second order. Tolerance 0 sums over every point.
 struct GroupRule {
-    double tolerance = 0.15;
+    double tolerance = 0.3;
 };
 
 /// Red, green, blue.
