@@ -62,19 +62,32 @@ int patchLayer(uint view, uint material) {
 
 /// Half the second-order term of the mean of a kernel (1 + s) e^-s / d^3, s = sigma_tr d, over a patch, relative to the
 /// kernel at the patch's mean squared distance. Squared distances u vary over a flat patch by Var u = 2 v r^2, v the patch's
-/// variance and r the distance of its centre; the second derivative by u is (15 + 15 s + 6 s^2 + s^3) e^-s / (4 d^7).
-vec3 kernelCurvature(float squaredCentreDistance, float variance, vec3 squaredDistance, vec3 s) {
+/// variance and r the part of its distance that lies in its plane; the second derivative by u is (15 + 15 s + 6 s^2 + s^3) e^-s / (4 d^7).
+vec3 kernelCurvature(vec3 squaredLateral, float variance, vec3 squaredDistance, vec3 s) {
     vec3 derivative = (15.0 + s * (15.0 + s * (6.0 + s))) / (1.0 + s);
-    return 0.25 * variance * squaredCentreDistance / (squaredDistance * squaredDistance) * derivative;
+    return 0.25 * variance * squaredLateral / (squaredDistance * squaredDistance) * derivative;
 }
 
-/// Mean of (1 + s) e^-(s - lead) / d^3 over a patch, 1/mm^3; `squaredDistance` includes the variance. The series
-/// 1 + k + k^2 stands for the higher moments of a patch, k limited to 1 because it does not converge beyond.
-vec3 meanKernel(float squaredCentreDistance, float variance, vec3 squaredDistance, vec3 transport, vec3 lead) {
+/// (1 + s) e^-(s - lead) / d^3, 1/mm^3.
+vec3 kernelAt(vec3 squaredDistance, vec3 transport, vec3 lead) {
     vec3 inverseDistance = inversesqrt(squaredDistance);
     vec3 s = transport * squaredDistance * inverseDistance;
-    vec3 k = min(kernelCurvature(squaredCentreDistance, variance, squaredDistance, s), vec3(1.0));
-    return (1.0 + k * (1.0 + k)) * (1.0 + s) * exp(lead - s) * inverseDistance * inverseDistance * inverseDistance;
+    return (1.0 + s) * exp(lead - s) * inverseDistance * inverseDistance * inverseDistance;
+}
+
+/// Mean of that kernel over a patch; `squaredDistance` includes the variance. The series 1 + k + k^2 stands for the higher
+/// moments of a patch, k limited to 1 because it does not converge beyond.
+vec3 meanKernel(vec3 squaredLateral, float variance, vec3 squaredDistance, vec3 transport, vec3 lead) {
+    vec3 s = transport * sqrt(squaredDistance);
+    vec3 k = min(kernelCurvature(squaredLateral, variance, squaredDistance, s), vec3(1.0));
+    return (1.0 + k * (1.0 + k)) * kernelAt(squaredDistance, transport, lead);
+}
+
+/// By how much, relative to its value, the kernel falls over a patch while something proportional to r^2 rises by its own
+/// mean: -Var u / r^2 times the kernel's derivative by u, (3 + 3 s + s^2) e^-s / (2 d^5); at most 1.
+vec3 kernelFall(float variance, vec3 squaredDistance, vec3 transport) {
+    vec3 s = transport * sqrt(squaredDistance);
+    return min(variance * (3.0 + s * (3.0 + s)) / ((1.0 + s) * squaredDistance), vec3(1.0));
 }
 
 /// Depth of a source whose light enters through a disc of `squaredRadius` mm^2 instead of a point: the peak of its

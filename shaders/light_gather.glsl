@@ -26,9 +26,9 @@ vec3 exitanceFrom(uint view, ShadedPoint point, Dipole dipole) {
             continue;
         }
         vec3 spread = vec3(squaredDistance + lit.variance);
-        sum += lit.flux * (realDepth * meanKernel(squaredDistance, lit.variance, spread + realDepth * realDepth,
+        sum += lit.flux * (realDepth * meanKernel(vec3(squaredDistance), lit.variance, spread + realDepth * realDepth,
                                                   dipole.transport, realLead) +
-                           virtualDepth * meanKernel(squaredDistance, lit.variance, spread + virtualDepth * virtualDepth,
+                           virtualDepth * meanKernel(vec3(squaredDistance), lit.variance, spread + virtualDepth * virtualDepth,
                                                      dipole.transport, virtualLead));
         place = nextPlace(place);
     }

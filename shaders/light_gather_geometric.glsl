@@ -46,15 +46,20 @@ Entry entryOf(FluxPatch lit, vec3 lightPoint, ShadedPoint point) {
 /// above that, along the patch's normal (mm; each channel has its own source).
 vec3 flowFrom(Entry entry, vec3 height, vec3 lead, ShadedPoint point, GeometricSource source) {
     vec3 freePath = source.freePath;
-    vec3 approach = dot(entry.along, point.normal) - freePath * dot(entry.travel, point.normal) -
+    float rise = dot(entry.along, point.normal);
+    vec3 approach = rise - freePath * dot(entry.travel, point.normal) -
                     height * dot(entry.normal, point.normal);
-    float squaredCentreDistance = dot(entry.along, entry.along);
-    vec3 squaredDistance = squaredCentreDistance -
+    vec3 squaredDistance = dot(entry.along, entry.along) -
                            2.0 * (freePath * dot(entry.along, entry.travel) + height * dot(entry.along, entry.normal)) +
                            freePath * freePath + height * height - 2.0 * freePath * height * entry.cosine;
     vec3 nearest = 0.15 * freePath;
-    return approach * meanKernel(squaredCentreDistance, entry.variance,
-                                 max(squaredDistance, nearest * nearest) + entry.variance, source.transport, lead);
+    vec3 above = dot(entry.along, entry.normal) + freePath * entry.cosine - height;
+    vec3 squaredLateral = max(squaredDistance - above * above, vec3(0.0));
+    squaredDistance = max(squaredDistance, nearest * nearest) + entry.variance;
+    // On a curved surface the rise grows as the squared distance, so that it and the kernel vary against each other.
+    return approach * meanKernel(squaredLateral, entry.variance, squaredDistance, source.transport, lead) -
+           rise * kernelFall(entry.variance, squaredDistance, source.transport) *
+               kernelAt(squaredDistance, source.transport, lead);
 }
 
 /// Radiant exitance per intensity, 1/mm^2 times sr, at a point from the flux that one light view sees.
@@ -75,7 +80,8 @@ vec3 exitanceFrom(uint view, ShadedPoint point, GeometricSource source) {
     while (place.level <= top) {
         FluxPatch lit = patchAt(place, layer);
         Entry entry = entryOf(lit, lightPoint, point);
-        if (isOpened(lit, place, dot(entry.along, entry.along), nearest, opening)) {
+        vec3 fromSource = entry.along - nearest * entry.travel;
+        if (isOpened(lit, place, dot(fromSource, fromSource), 0.0, opening)) {
             place = firstPart(place);
             continue;
         }
