@@ -33,6 +33,35 @@ vec3 radianceOf(vec3 exitance, ShadedPoint point) {
     return exitance * (inversePi * transmittance / diffuseTransmittance(point.eta));
 }
 
+/// Angular shape of light that was scattered more than once, by the cosine inside: a half space is darker along its surface.
+/// Light that the boundary sends back forgets that, which its transmittance to the fourth power stands for. Fitted to Monte
+/// Carlo of spheres, see docs/model.md.
+float emergence(float cosineInside, float leaving) {
+    float squared = leaving * leaving;
+    return 1.0 - 0.37 * squared * squared * exp(-3.3 * cosineInside);
+}
+
+/// Radiance (W/mm^2/sr) of light that was scattered more than once and leaves as `exitance`: radianceOf, with that shape. Its
+/// integral over the outside, weighted by the cosine, is the exitance: six nodes of Gauss and Legendre.
+vec3 multipleRadianceOf(vec3 exitance, ShadedPoint point) {
+    const vec3 nodes = vec3(0.238619186083197, 0.661209386466265, 0.932469514203152);
+    const vec3 weights = vec3(0.467913934572691, 0.360761573048139, 0.171324492379170);
+    float leaving = diffuseTransmittance(point.eta) / (point.eta * point.eta);
+    float all = 0.0;
+    for (int i = 0; i < 3; ++i) {
+        for (int side = -1; side <= 1; side += 2) {
+            float mu = 0.5 + 0.5 * float(side) * nodes[i];
+            all += weights[i] * mu * (1.0 - fresnelReflectance(mu, point.eta)) *
+                   emergence(refractedCosine(mu, point.eta), leaving);
+        }
+    }
+    const float inversePi = 0.318309886183791;
+    float cosine = dot(point.normal, point.toViewer);
+    float transmittance = 1.0 - fresnelReflectance(cosine, point.eta);
+    float shape = emergence(refractedCosine(cosine, point.eta), leaving) / all;
+    return exitance * (inversePi * transmittance * shape);
+}
+
 /// Irradiance from the environment that enters at the point, W/mm^2. It varies so slowly along the surface that what
 /// leaves is that times the total reflectance.
 vec3 enteringEnvironment(ShadedPoint point) {

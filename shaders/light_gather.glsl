@@ -12,25 +12,18 @@ vec3 exitanceFrom(uint view, ShadedPoint point, Dipole dipole) {
     vec3 virtualLead = dipole.transport * (virtualDepth - dipole.virtualDepth);
     float nearest = min(realDepth.x, min(realDepth.y, realDepth.z));
 
-    int layer = patchLayer(view, point.material);
-    int top = topLevel(baseSize());
     float opening = params.openingAngle * params.openingAngle;
     vec3 sum = vec3(0.0);
-    PyramidPlace place = pyramidTop();
-    while (place.level <= top) {
-        FluxPatch lit = patchAt(place, layer);
+    TreeWalk walk = walkOf(view, point.material);
+    FluxPatch lit;
+    while (findPatch(walk, lit, point.position, nearest, opening)) {
         vec3 along = point.position - lit.centre;
         float squaredDistance = dot(along, along);
-        if (isOpened(lit, place, squaredDistance, nearest, opening)) {
-            place = firstPart(place);
-            continue;
-        }
         vec3 spread = vec3(squaredDistance + lit.variance);
-        sum += lit.flux * (realDepth * meanKernel(vec3(squaredDistance), lit.variance, spread + realDepth * realDepth,
-                                                  dipole.transport, realLead) +
-                           virtualDepth * meanKernel(vec3(squaredDistance), lit.variance, spread + virtualDepth * virtualDepth,
-                                                     dipole.transport, virtualLead));
-        place = nextPlace(place);
+        sum += lit.flux * (realDepth * patchKernel(vec3(squaredDistance), lit.variance, spread + realDepth * realDepth,
+                                                   dipole.transport, realLead).mean +
+                           virtualDepth * patchKernel(vec3(squaredDistance), lit.variance, spread + virtualDepth * virtualDepth,
+                                                      dipole.transport, virtualLead).mean);
     }
     const float inverseFourPi = 0.0795774715459477;
     return inverseFourPi * dipole.reducedAlbedo * sum;
@@ -39,7 +32,7 @@ vec3 exitanceFrom(uint view, ShadedPoint point, Dipole dipole) {
 vec3 multipleScattering(ShadedPoint point) {
     Dipole dipole = dipoleUnder(boundaryMismatch(point.eta), point.absorption, point.scattering, point.g);
     vec3 exitance = totalReflectance(dipole) * enteringEnvironment(point);
-    if (connected(patchAtlas)) {
+    if (connected(patchPlaces)) {
         for (uint view = 0u; view < lightViewCount; ++view) {
             exitance += lights[lightViews[view].light].intensity * exitanceFrom(view, point, dipole);
         }

@@ -53,7 +53,7 @@ image::Image rendered(const std::string& graph, const SphereScene& scene, std::u
     options.graph = graphFolder() / graph;
     options.size = {size, size};
     options.settings = {"lightSize=128"};
-    if (graph != "screen-space.json") options.settings.emplace_back("pyramidSize=128");
+    if (graph != "screen-space.json") options.settings.emplace_back("treeSize=128");
     if (output != "color") options.dumps = {output};
     runtime::Session session(options);
     session.renderFrame(0);

@@ -1,0 +1,52 @@
+// What sources placed by geometry need to know of a medium, and how strong they are.
+#ifndef GEOMETRIC_MEDIUM_GLSL
+#define GEOMETRIC_MEDIUM_GLSL
+
+#include "bssrdf.glsl"
+#include "exitance.glsl"
+#include "half_space_reflectance.glsl"
+
+/// What the kernel needs of the medium, each channel apart.
+struct GeometricMedium {
+    vec3 transport;      // sigma_tr, 1/mm
+    vec3 freePath;       // 1/sigma_t', mm
+    vec3 extrapolation;  // 2 z_b, mm
+    vec3 absorbed;       // sqrt(1 - alpha')
+    vec3 reflectance;    // total, of a half space lit perpendicularly
+    vec3 single;         // the part of it that is scattered once
+    vec3 apart;          // which part of that the sources leave out
+    vec3 planeShare;     // 1/(2 pi (1 + e^(-2 sigma_tr z_b))): what a plane's sources need for a total of 1
+};
+
+/// Which part of single scattering the sources leave out, by sqrt(1 - alpha'). Where absorption is low their total carries
+/// far, and without that part it would carry too little; where it is high light leaves by its first scattering more often
+/// than it goes on. Measured on spheres, see docs/model.md.
+vec3 partApart(vec3 absorbed) {
+    return smoothstep(0.15, 0.4, absorbed);
+}
+
+GeometricMedium geometricMediumOf(ShadedPoint point) {
+    float boundary = boundaryMismatch(point.eta);
+    Dipole dipole = dipoleUnder(boundary, point.absorption, point.scattering, point.g);
+    vec3 extinction = max(point.absorption + point.scattering, vec3(1e-30));
+    vec3 absorbed = sqrt(clamp(point.absorption * dipole.realDepth, 0.0, 1.0));
+    vec3 single = singleReflectanceOverAlbedo(point.g, point.eta) * point.scattering / extinction;
+    // The boundary at which diffuse light vanishes lies 0.7104 A free paths outside (Milne's problem; diffusion: 2/3).
+    const float twiceMilne = 1.4209;
+    const float inverseTwoPi = 0.159154943091895;
+    vec3 extrapolation = twiceMilne * boundary * dipole.realDepth;
+    return GeometricMedium(dipole.transport, dipole.realDepth, extrapolation, absorbed,
+                           halfSpaceReflectance(dipole, point.absorption, point.eta), single, partApart(absorbed),
+                           inverseTwoPi / (1.0 + exp(-dipole.transport * extrapolation)));
+}
+
+/// Strength of the sources of light that entered at `cosine`, per 4 pi: what a half space reflects of it, over what the
+/// two sources send through a plane. Oblique light stays shallower: reflectance falls with the cosine as 1/(1 + 2 c s)
+/// (Hapke 1981).
+vec3 strengthOf(GeometricMedium medium, float cosine) {
+    vec3 total = medium.reflectance * (1.0 + 2.0 * medium.absorbed) / (1.0 + 2.0 * cosine * medium.absorbed);
+    vec3 scatteredMore = max(total - medium.apart * medium.single * singleObliquity(cosine), vec3(0.0));
+    return medium.planeShare * scatteredMore * exp(medium.transport * medium.freePath * cosine);
+}
+
+#endif
