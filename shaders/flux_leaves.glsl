@@ -1,7 +1,6 @@
 // The leaves of the flux tree: the lights' texels, sorted by material.
 #include "flux_patch.glsl"
 #include "flux_tree_layout.glsl"
-#include "surface.glsl"
 
 /// The texels of one material that a leaf covers in one light view.
 FluxPatch leafOf(ivec2 leaf, int base, int view, uint material) {
@@ -12,9 +11,9 @@ FluxPatch leafOf(ivec2 leaf, int base, int view, uint material) {
     for (int y = first.y; y < end.y; ++y) {
         for (int x = first.x; x < end.x; ++x) {
             vec4 lit = loadLayer(flux, ivec2(x, y), view);
-            bool counts = lit.w > 0.0 && materialOf(loadLayer(surface, ivec2(x, y), view)) == material;
-            vec3 n = unitOrZero(loadLayer(normal, ivec2(x, y), view).xyz);
-            if (counts) sum = merged(sum, FluxPatch(lit.xyz, 0.0, n, lit.w));
+            vec4 entrance = loadLayer(entry, ivec2(x, y), view);
+            bool counts = lit.w > 0.0 && entrance.w == float(material + 1u);
+            if (counts) sum = merged(sum, FluxPatch(lit.xyz, 0.0, entrance.xyz, lit.w));
         }
     }
     return sum;

@@ -54,13 +54,14 @@ bool findPatch(inout TreeWalk walk, out FluxPatch lit, vec3 point, float nearest
 struct PatchKernel {
     vec3 mean;    // of the kernel alone
     vec3 fallen;  // of the kernel times something that rises from the shaded point as r^2, over that one's own mean
+    vec3 potential;  // of e^-s / d, 1/mm
 };
 
 /// `squaredDistance` u = d^2 includes the variance v; `squaredLateral` r^2 is the part of it that lies in the patch's plane.
 /// u varies over a flat patch by Var u = 2 v r^2. For the mean, half the second-order term relative to the value is
 /// k = v r^2 (15 + 15 s + 6 s^2 + s^3) / (4 d^4 (1 + s)); the series 1 + k + k^2 stands for the higher moments, k limited to 1
 /// because it does not converge beyond. What rises as r^2 meets the kernel where it has fallen: to first order by
-/// x = v (3 + 3 s + s^2) / (d^2 (1 + s)), taken as x/(1 + x), which stays below 1. `lead` is added to the exponent.
+/// x = v (3 + 3 s + s^2) / (d^2 (1 + s)), taken as x/(1 + 1.5 x), which stays below 1. `lead` is added to the exponent.
 PatchKernel patchKernel(vec3 squaredLateral, float variance, vec3 squaredDistance, vec3 transport, vec3 lead) {
     vec3 inverseDistance = inversesqrt(squaredDistance);
     vec3 inverseSquare = inverseDistance * inverseDistance;
@@ -71,7 +72,8 @@ PatchKernel patchKernel(vec3 squaredLateral, float variance, vec3 squaredDistanc
     vec3 k = min(0.25 * variance * squaredLateral * inverseSquare * inverseSquare * second / onePlus, vec3(1.0));
     vec3 mean = (1.0 + k * (1.0 + k)) * value;
     vec3 first = variance * (3.0 + s * (3.0 + s));
-    return PatchKernel(mean, mean - value * (first / (first + onePlus * squaredDistance)));
+    vec3 fall = first / (1.5 * first + onePlus * squaredDistance);
+    return PatchKernel(mean, mean - fall * value, mean * squaredDistance / onePlus);
 }
 
 /// Depth of a source whose light enters through a disc of `squaredRadius` mm^2 instead of a point: the peak of its
@@ -82,7 +84,7 @@ vec3 blurredDepth(vec3 z, float squaredRadius) {
 }
 
 /// Squared radius, mm^2, of the disc as large as a leaf of the tree at a surface point.
-float squaredTexelRadius(uint view, vec3 point, vec3 normal) {
+float squaredLeafRadius(uint view, vec3 point, vec3 normal) {
     const float inversePi = 0.318309886183791;
     vec3 fromLight = point - lightViews[view].position;
     float depth = abs(dot(fromLight, lightViews[view].forward));

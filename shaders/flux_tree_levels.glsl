@@ -1,4 +1,4 @@
-// Three more levels of the flux tree, each node merged from its 4, 16 or 64 nodes of the level that is there.
+// One to three more levels of the flux tree, each node merged from its 4, 16 or 64 nodes of the level that is there.
 #include "flux_patch.glsl"
 #include "flux_tree_layout.glsl"
 
@@ -15,11 +15,12 @@ void compute(uvec3 id) {
     ivec2 p = ivec2(id.xy);
     int base = treeBase(extent(places));
     int from = int(params.from);
-    // Invocation after invocation takes a node of the three levels.
+    int to = from + int(params.levels);
+    // Invocation after invocation takes a node of the new levels.
     int node = nodesBelow(min(from, rootLevel(base)) + 1, base) + p.y * base + p.x;
     int level = from + 1;
-    while (level <= from + 3 && node >= nodesBelow(level + 1, base)) ++level;
-    bool isNode = p.x < base && level <= min(from + 3, rootLevel(base));
+    while (level <= to && node >= nodesBelow(level + 1, base)) ++level;
+    bool isNode = p.x < base && level <= min(to, rootLevel(base));
     if (!isNode) return;
     int parts = 1 << (2 * (level - from));
     int morton = node - nodesBelow(level, base);

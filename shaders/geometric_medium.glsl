@@ -15,7 +15,8 @@ struct GeometricMedium {
     vec3 reflectance;    // total, of a half space lit perpendicularly
     vec3 single;         // the part of it that is scattered once
     vec3 apart;          // which part of that the sources leave out
-    vec3 planeShare;     // 1/(2 pi (1 + e^(-2 sigma_tr z_b))): what a plane's sources need for a total of 1
+    vec3 fluenceShare;   // which part of the exitance follows the fluence, the rest the flow
+    vec3 planeShare;     // what a plane's sources need for a total of 1
 };
 
 /// Which part of single scattering the sources leave out, by sqrt(1 - alpha'). Where absorption is low their total carries
@@ -23,6 +24,22 @@ struct GeometricMedium {
 /// than it goes on. Measured on spheres, see docs/model.md.
 vec3 partApart(vec3 absorbed) {
     return smoothstep(0.15, 0.4, absorbed);
+}
+
+/// Which part of the exitance follows the fluence. In diffusion what leaves is part fluence, part flow (d'Eon and Irving 2011);
+/// on curved surfaces the fluence of a source and its mirror image reaches too far where little is absorbed. Measured on
+/// spheres, see docs/model.md.
+vec3 partOfFluence(vec3 absorbed) {
+    return 0.12 * smoothstep(0.04, 0.15, absorbed);
+}
+
+/// 1 over what a plane of unit sources and their mirror images sends through the surface, x = sigma_tr z_b: the flow
+/// 2 pi (1 + e^-2x), the fluence times D/z_b 2 pi (1 - e^-2x)/x.
+vec3 planeShareOf(vec3 x, vec3 fluenceShare) {
+    const float inverseTwoPi = 0.159154943091895;
+    vec3 mirrored = exp(-2.0 * x);
+    vec3 fluence = mix((1.0 - mirrored) / max(x, vec3(1e-3)), 2.0 - 2.0 * x, lessThan(x, vec3(1e-3)));
+    return inverseTwoPi / mix(1.0 + mirrored, fluence, fluenceShare);
 }
 
 GeometricMedium geometricMediumOf(ShadedPoint point) {
@@ -33,11 +50,11 @@ GeometricMedium geometricMediumOf(ShadedPoint point) {
     vec3 single = singleReflectanceOverAlbedo(point.g, point.eta) * point.scattering / extinction;
     // The boundary at which diffuse light vanishes lies 0.7104 A free paths outside (Milne's problem; diffusion: 2/3).
     const float twiceMilne = 1.4209;
-    const float inverseTwoPi = 0.159154943091895;
     vec3 extrapolation = twiceMilne * boundary * dipole.realDepth;
+    vec3 share = partOfFluence(absorbed);
     return GeometricMedium(dipole.transport, dipole.realDepth, extrapolation, absorbed,
                            halfSpaceReflectance(dipole, point.absorption, point.eta), single, partApart(absorbed),
-                           inverseTwoPi / (1.0 + exp(-dipole.transport * extrapolation)));
+                           share, planeShareOf(0.5 * dipole.transport * extrapolation, share));
 }
 
 /// Strength of the sources of light that entered at `cosine`, per 4 pi: what a half space reflects of it, over what the

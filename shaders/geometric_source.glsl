@@ -43,15 +43,57 @@ PatchKernel kernelFrom(Entry entry, vec3 height, vec3 lead, GeometricMedium medi
     return patchKernel(squaredLateral, entry.variance, squaredDistance, medium.transport, lead);
 }
 
-/// E per intensity, 1/mm^2 times sr, at a point from the flux that one light view sees.
-DiffuseFlow flowFrom(uint view, ShadedPoint point, GeometricMedium medium) {
-    float texelRadius = squaredTexelRadius(view, point.position, point.normal);
-    vec3 mirrorDepth = medium.freePath + medium.extrapolation;
-    vec3 deeper = blurredDepth(medium.freePath, texelRadius) - medium.freePath;
-    vec3 higher = blurredDepth(mirrorDepth, texelRadius) - mirrorDepth;
-    float nearest = min(medium.freePath.x, min(medium.freePath.y, medium.freePath.z));
-    nearest += min(deeper.x, min(deeper.y, deeper.z));
+/// The depths of the sources, mm, blurred over a leaf of the tree so that media denser than it keep their energy.
+struct SourceDepths {
+    vec3 real;
+    vec3 mirror;
+    vec3 deeper;  // by how much the blur moves them
+    vec3 higher;
+};
 
+SourceDepths sourceDepthsOf(uint view, ShadedPoint point, GeometricMedium medium) {
+    float leafRadius = squaredLeafRadius(view, point.position, point.normal);
+    vec3 mirrorDepth = medium.freePath + medium.extrapolation;
+    vec3 real = blurredDepth(medium.freePath, leafRadius);
+    vec3 mirror = blurredDepth(mirrorDepth, leafRadius);
+    return SourceDepths(real, mirror, real - medium.freePath, mirror - mirrorDepth);
+}
+
+/// E per intensity, 1/mm^2 times sr, at a point from one patch.
+DiffuseFlow flowFrom(Entry entry, float flux, SourceDepths depths, ShadedPoint point, GeometricMedium medium) {
+    vec3 height = 2.0 * entry.cosine * medium.freePath + medium.extrapolation + depths.higher;
+    PatchKernel real = kernelFrom(entry, -depths.deeper, medium.transport * depths.deeper, medium);
+    PatchKernel mirror = kernelFrom(entry, height, medium.transport * depths.higher, medium);
+    vec3 along = real.fallen - mirror.fallen;
+    vec3 travel = medium.freePath * (mirror.mean - real.mean);
+    vec3 normal = depths.deeper * real.mean + height * mirror.mean;
+    DiffuseFlow flow = DiffuseFlow(along.r * entry.along + travel.r * entry.travel + normal.r * entry.normal,
+                                   along.g * entry.along + travel.g * entry.travel + normal.g * entry.normal,
+                                   along.b * entry.along + travel.b * entry.travel + normal.b * entry.normal);
+
+    // What follows the fluence, times D/z_b, leaves along the normal.
+    vec3 own = flowAlong(flow, point.normal);
+    vec3 fluence = 2.0 * (real.potential - mirror.potential) / medium.extrapolation;
+    vec3 more = medium.fluenceShare * (fluence - own);
+
+    // Where light comes through to a surface that faces the other way, the plane of entry is not the boundary it leaves by, so
+    // what the mirror image there takes away does not count. Where it would have to cross the outside, there is none.
+    float opposite = clamp(-dot(entry.normal, point.normal), 0.0, 1.0);
+    float below = -entry.alongNormal * inversesqrt(max(entry.squaredAlong, 1e-30));
+    vec3 taken = mirror.fallen * dot(entry.along, point.normal) -
+                 mirror.mean * (medium.freePath * dot(entry.travel, point.normal) + height * dot(entry.normal, point.normal));
+    more += opposite * smoothstep(0.0, 0.3, below) * max(taken, vec3(0.0));
+    float inside = 1.0 - opposite * (1.0 - smoothstep(-0.2, 0.2, below));
+
+    vec3 strength = flux * inside * strengthOf(medium, entry.cosine);
+    return DiffuseFlow(strength.r * (flow.red + more.r * point.normal), strength.g * (flow.green + more.g * point.normal),
+                       strength.b * (flow.blue + more.b * point.normal));
+}
+
+/// The same from all that one light view sees.
+DiffuseFlow flowFrom(uint view, ShadedPoint point, GeometricMedium medium) {
+    SourceDepths depths = sourceDepthsOf(view, point, medium);
+    float nearest = min(depths.real.x, min(depths.real.y, depths.real.z));
     vec3 lightPoint = lightViews[view].position;
     float opening = params.openingAngle * params.openingAngle;
     DiffuseFlow sum = noFlow;
@@ -59,16 +101,7 @@ DiffuseFlow flowFrom(uint view, ShadedPoint point, GeometricMedium medium) {
     FluxPatch lit;
     while (findPatch(walk, lit, point.position, nearest, opening)) {
         Entry entry = entryOf(lit, lightPoint, point);
-        vec3 height = 2.0 * entry.cosine * medium.freePath + medium.extrapolation + higher;
-        PatchKernel real = kernelFrom(entry, -deeper, medium.transport * deeper, medium);
-        PatchKernel mirror = kernelFrom(entry, height, medium.transport * higher, medium);
-        vec3 strength = lit.flux * strengthOf(medium, entry.cosine);
-        vec3 surface = strength * (real.fallen - mirror.fallen);
-        vec3 travel = strength * medium.freePath * (mirror.mean - real.mean);
-        vec3 normal = strength * (deeper * real.mean + height * mirror.mean);
-        sum.red += surface.r * entry.along + travel.r * entry.travel + normal.r * entry.normal;
-        sum.green += surface.g * entry.along + travel.g * entry.travel + normal.g * entry.normal;
-        sum.blue += surface.b * entry.along + travel.b * entry.travel + normal.b * entry.normal;
+        sum = plus(sum, flowFrom(entry, lit.flux, depths, point, medium), vec3(1.0));
     }
     return sum;
 }

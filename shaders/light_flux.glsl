@@ -15,11 +15,16 @@ float texelSolidAngle(vec3 point) {
 void pixel(ivec2 p) {
     vec4 point = load(position, p);
     float entering = 0.0;
+    vec4 entrance = vec4(0.0);
     if (point.w > 0.0) {
-        uint material = materialOf(load(surface, p));
-        float cosine = dot(unitOrZero(load(normal, p).xyz), unitOrZero(lightViews[iteration].position - point.xyz));
+        vec4 surfaceTexel = load(surface, p);
+        uint material = materialOf(surfaceTexel);
+        vec3 n = unitOrZero(load(normal, p).xyz);
+        float cosine = dot(n, unitOrZero(lightViews[iteration].position - point.xyz));
         float transmittance = 1.0 - fresnelReflectance(cosine, materials[material].eta);
         entering = materials[material].layerCount > 0u ? texelSolidAngle(point.xyz) * transmittance : 0.0;
+        entrance = vec4(n, surfaceTexel.z);
     }
     store(flux, p, vec4(point.xyz, entering));
+    store(entry, p, entrance);
 }

@@ -5,9 +5,9 @@
 
 /// Radiant exitance per intensity, 1/mm^2 times sr, at a point from the flux that one light view sees.
 vec3 exitanceFrom(uint view, ShadedPoint point, Dipole dipole) {
-    float texelRadius = squaredTexelRadius(view, point.position, point.normal);
-    vec3 realDepth = blurredDepth(dipole.realDepth, texelRadius);
-    vec3 virtualDepth = blurredDepth(dipole.virtualDepth, texelRadius);
+    float leafRadius = squaredLeafRadius(view, point.position, point.normal);
+    vec3 realDepth = blurredDepth(dipole.realDepth, leafRadius);
+    vec3 virtualDepth = blurredDepth(dipole.virtualDepth, leafRadius);
     vec3 realLead = dipole.transport * (realDepth - dipole.realDepth);
     vec3 virtualLead = dipole.transport * (virtualDepth - dipole.virtualDepth);
     float nearest = min(realDepth.x, min(realDepth.y, realDepth.z));
