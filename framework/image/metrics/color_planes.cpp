@@ -1,9 +1,15 @@
 // Reads planes by the names of channels, and makes block means of them.
 #include "image/metrics/color_planes.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
+
+#include "text/diagnostics.h"
 
 namespace nephrite::image {
 namespace {
@@ -91,6 +97,11 @@ std::array<double, 3> ComparedPictures::litMeans() const {
 
 ComparedPictures comparedPictures(const Image& picture, const Image& reference, const Image* secondHalf,
                                   std::uint32_t bins) {
+    if (bins == 0) throw std::invalid_argument("blocks of 0 x 0 pixels");
+    requireComparable(reference, "reference", reference, "reference");
+    requireComparable(picture, "picture", reference, "reference");
+    if (secondHalf != nullptr) requireComparable(*secondHalf, "second half", reference, "reference");
+
     std::vector<std::uint8_t> finite(std::size_t{picture.width} * picture.height, 1);
     keepFinite(picture, finite);
     keepFinite(reference, finite);
@@ -112,6 +123,18 @@ ComparedPictures comparedPictures(const Image& picture, const Image& reference, 
 std::size_t channelIndex(const Image& image, std::string_view name) {
     const auto found = std::find(image.channels.begin(), image.channels.end(), name);
     return static_cast<std::size_t>(found - image.channels.begin());
+}
+
+void requireComparable(const Image& picture, std::string_view name, const Image& reference,
+                       std::string_view referenceName) {
+    const SourceLocation where{std::string(name)};
+    for (const std::string_view channel : {"R", "G", "B"})
+        if (channelIndex(picture, channel) == picture.channels.size())
+            throw InputError(where, fmt::format("expected channels R, G and B, found {}",
+                                                fmt::join(picture.channels, ", ")));
+    if (picture.width != reference.width || picture.height != reference.height)
+        throw InputError(where, fmt::format("expected {}x{} pixels as in {}, found {}x{}", reference.width,
+                                            reference.height, referenceName, picture.width, picture.height));
 }
 
 }  // namespace nephrite::image

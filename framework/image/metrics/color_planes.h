@@ -36,11 +36,17 @@ struct ComparedPictures {
 };
 
 /// The planes of pictures of one size that have channels R, G, B, each value the mean of the finite pixels of
-/// a block of bins x bins. A pixel that is not finite in one picture is left out of all.
+/// a block of bins x bins. A pixel that is not finite in one picture is left out of all. Throws InputError as
+/// requireComparable does, naming the pictures `picture`, `reference` and `second half`;
+/// std::invalid_argument if bins is 0.
 ComparedPictures comparedPictures(const Image& picture, const Image& reference, const Image* secondHalf,
                                   std::uint32_t bins);
 
 /// Index of a channel by its name, or the number of channels if there is none.
 std::size_t channelIndex(const Image& image, std::string_view name);
+
+/// Throws InputError `NAME: error: ...` unless the picture has channels R, G and B and the reference's size.
+void requireComparable(const Image& picture, std::string_view name, const Image& reference,
+                       std::string_view referenceName);
 
 }  // namespace nephrite::image

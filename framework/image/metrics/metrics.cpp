@@ -1,16 +1,11 @@
 // Sums over pixels and channels, and what the metrics make of them.
 #include "image/metrics/metrics.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 #include "image/metrics/color_planes.h"
-#include "text/diagnostics.h"
 
 namespace nephrite::image {
 namespace {
@@ -139,26 +134,10 @@ double Metrics::worstRelRmse() const {
 
 Metrics compareImages(const Image& picture, const Image& reference, const Image* secondHalf,
                       const MetricsOptions& options) {
-    if (options.bins == 0) throw std::invalid_argument("blocks of 0 x 0 pixels");
-    requireComparable(reference, "reference", reference, "reference");
-    requireComparable(picture, "picture", reference, "reference");
-    if (secondHalf != nullptr) requireComparable(*secondHalf, "second half", reference, "reference");
     const ComparedPictures compared = comparedPictures(picture, reference, secondHalf, options.bins);
     Metrics metrics = metricsOf(compared);
     if (options.flip) metrics.flip = flipOf(compared);
     return metrics;
-}
-
-void requireComparable(const Image& picture, std::string_view name, const Image& reference,
-                       std::string_view referenceName) {
-    const SourceLocation where{std::string(name)};
-    for (const std::string_view channel : {"R", "G", "B"})
-        if (channelIndex(picture, channel) == picture.channels.size())
-            throw InputError(where, fmt::format("expected channels R, G and B, found {}",
-                                                fmt::join(picture.channels, ", ")));
-    if (picture.width != reference.width || picture.height != reference.height)
-        throw InputError(where, fmt::format("expected {}x{} pixels as in {}, found {}x{}", reference.width,
-                                            reference.height, referenceName, picture.width, picture.height));
 }
 
 }  // namespace nephrite::image

@@ -4,7 +4,6 @@
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <string_view>
 
 #include "image/image.h"
 #include "image/metrics/flip.h"
@@ -48,13 +47,8 @@ struct Metrics {
 };
 
 /// Compares channels R, G, B of a picture with those of a reference, or with the mean of two independent
-/// halves of it. Throws InputError as requireComparable does, naming the pictures `picture`, `reference` and
-/// `second half`; std::invalid_argument if bins is 0.
+/// halves of it. Throws as comparedPictures does.
 Metrics compareImages(const Image& picture, const Image& reference, const Image* secondHalf = nullptr,
                       const MetricsOptions& options = {});
-
-/// Throws InputError `NAME: error: ...` unless the picture has channels R, G and B and the reference's size.
-void requireComparable(const Image& picture, std::string_view name, const Image& reference,
-                       std::string_view referenceName);
 
 }  // namespace nephrite::image
