@@ -50,7 +50,7 @@ void expectNear(const std::vector<float>& found, const std::vector<double>& expe
     ASSERT_EQ(found.size(), expected.size());
     // Errors are 0.7th powers of differences, and their feature parts square roots: float's rounding shows.
     for (std::size_t pixel = 0; pixel < found.size(); ++pixel)
-        ASSERT_NEAR(found[pixel], expected[pixel], 1e-4) << "pixel " << pixel;
+        ASSERT_NEAR(found[pixel], expected[pixel], 1e-5) << "pixel " << pixel;
 }
 
 TEST(Flip, AgreesWithADirectEvaluation) {
@@ -179,7 +179,7 @@ TEST(Flip, UnitsOfRadianceDoNotMatter) {
         const ColorPlanes scaled = brightened(reference, 1, unit);
         const auto same = hdrFlip(brightened(picture, 1, unit), scaled, flipExposures(scaled));
         for (std::size_t pixel = 0; pixel < errors.size(); ++pixel)
-            ASSERT_NEAR(same[pixel], errors[pixel], 1e-4);
+            ASSERT_NEAR(same[pixel], errors[pixel], 1e-5);
     }
 }
 
