@@ -2,48 +2,51 @@
 #include "image/metrics/flip_color.h"
 
 #include <cmath>
+#include <cstddef>
 
 namespace nephrite::image::flip {
 namespace {
 
-using Matrix = std::array<Color, 3>;
+using Row = std::array<double, 3>;
+using Matrix = std::array<Row, 3>;
 
-/// XYZ over that of white: XYZ of Rec. 709 primaries and D65 (IEC 61966-2-1), the rows scaled so that (1, 1,
-/// 1) gives 1. The fractions are exact for the primaries' and the white's chromaticities.
-constexpr Matrix toRelativeXyz = [] {
-    constexpr std::array<std::array<double, 3>, 3> xyz{
-        {{10135552.0 / 24577794, 8788810.0 / 24577794, 4435075.0 / 24577794},
-         {2613072.0 / 12288897, 8788810.0 / 12288897, 887015.0 / 12288897},
-         {1425312.0 / 73733382, 8788810.0 / 73733382, 70074185.0 / 73733382}}};
-    Matrix result{};
-    for (std::size_t row = 0; row < 3; ++row) {
-        const double white = xyz[row][0] + xyz[row][1] + xyz[row][2];
-        for (std::size_t column = 0; column < 3; ++column)
-            result[row][column] = static_cast<float>(xyz[row][column] / white);
-    }
-    return result;
-}();
+constexpr Row cross(const Row& a, const Row& b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
 
 constexpr Matrix inverseOf(const Matrix& m) {
+    const Matrix columns{cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1])};
+    const double determinant = m[0][0] * columns[0][0] + m[0][1] * columns[0][1] + m[0][2] * columns[0][2];
     Matrix result{};
-    double determinant = 0;
     for (std::size_t i = 0; i < 3; ++i)
-        determinant +=
-            static_cast<double>(m[0][i]) * (static_cast<double>(m[1][(i + 1) % 3]) * m[2][(i + 2) % 3] -
-                                            static_cast<double>(m[1][(i + 2) % 3]) * m[2][(i + 1) % 3]);
-    for (std::size_t i = 0; i < 3; ++i)
-        for (std::size_t j = 0; j < 3; ++j) {
-            const std::size_t a = (j + 1) % 3, b = (j + 2) % 3, c = (i + 1) % 3, d = (i + 2) % 3;
-            const double cofactor =
-                static_cast<double>(m[a][c]) * m[b][d] - static_cast<double>(m[a][d]) * m[b][c];
-            result[i][j] = static_cast<float>(cofactor / determinant);
-        }
+        for (std::size_t j = 0; j < 3; ++j) result[i][j] = columns[j][i] / determinant;
     return result;
 }
 
-constexpr Matrix toLinear = inverseOf(toRelativeXyz);
+constexpr std::array<Color, 3> rounded(const Matrix& m) {
+    std::array<Color, 3> result{};
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < 3; ++j) result[i][j] = static_cast<float>(m[i][j]);
+    return result;
+}
 
-Color times(const Matrix& m, const Color& v) {
+/// XYZ over that of white, of Rec. 709 primaries under D65: the papers' matrix, its rows scaled so that (1,
+/// 1, 1) gives 1.
+constexpr Matrix relativeXyz = [] {
+    Matrix xyz{{{10135552.0 / 24577794, 8788810.0 / 24577794, 4435075.0 / 24577794},
+                {2613072.0 / 12288897, 8788810.0 / 12288897, 887015.0 / 12288897},
+                {1425312.0 / 73733382, 8788810.0 / 73733382, 70074185.0 / 73733382}}};
+    for (Row& row : xyz) {
+        const double white = row[0] + row[1] + row[2];
+        for (double& value : row) value /= white;
+    }
+    return xyz;
+}();
+
+constexpr std::array<Color, 3> toRelativeXyz = rounded(relativeXyz);
+constexpr std::array<Color, 3> toLinear = rounded(inverseOf(relativeXyz));
+
+Color times(const std::array<Color, 3>& m, const Color& v) {
     return {m[0][0] * v[0] + m[0][1] * v[1] + m[0][2] * v[2],
             m[1][0] * v[0] + m[1][1] * v[1] + m[1][2] * v[2],
             m[2][0] * v[0] + m[2][1] * v[1] + m[2][2] * v[2]};
