@@ -84,6 +84,7 @@ int main(int argc, char** argv) {
     nephrite::tools::addProfileVerb(app, action);
     nephrite::tools::addReferenceVerb(app, action);
     nephrite::tools::addMergeVerb(app, action);
+    nephrite::tools::addCompareVerb(app, action);
     if (argc > 1 && argv[1][0] != '-' && !hasVerb(app, argv[1])) {
         printLine(unknownVerb(app, argv[1]));
         return 2;

@@ -19,5 +19,6 @@ void addBenchVerb(CLI::App& app, Action& action);
 void addProfileVerb(CLI::App& app, Action& action);
 void addReferenceVerb(CLI::App& app, Action& action);
 void addMergeVerb(CLI::App& app, Action& action);
+void addCompareVerb(CLI::App& app, Action& action);
 
 }  // namespace nephrite::tools
