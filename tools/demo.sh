@@ -9,14 +9,14 @@ cmake --preset release
 cmake --build --preset release --target nephrite
 
 nephrite=build/release/nephrite
-graph=graphs/paper.json
+graph=graphs/consistent.json
 mkdir -p out
 echo "demo: rendering $graph"
-"$nephrite" render "$graph" -o out/paper.exr -o out/paper.png
+"$nephrite" render "$graph" -o out/consistent.exr -o out/consistent.png
 "$nephrite" render "$graph" --profile --frames 10 --timings out/timings.json
 for format in svg dot json txt; do
     "$nephrite" plan "$graph" -o "out/plan.$format"
 done
 
 echo "demo: wrote"
-ls -l out/paper.exr out/paper.png out/timings.json out/plan.svg out/plan.dot out/plan.json out/plan.txt
+ls -l out/consistent.exr out/consistent.png out/timings.json out/plan.svg out/plan.dot out/plan.json out/plan.txt

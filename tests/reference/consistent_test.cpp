@@ -119,14 +119,6 @@ TEST(ConsistentSphere, ScreenGatherIsNoCloserThanWhatTheCameraSees) {
     EXPECT_LT(error, 0.25);
 }
 
-TEST(ConsistentSphere, MeanDoesNotDependOnTheSizeOfThePicture) {
-    for (const char* graph : estimators) {
-        const auto coarse = meanOf(rendered(graph, {}, 256));
-        const auto fine = meanOf(rendered(graph, {}, 512));
-        for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(fine[c] / coarse[c], 1, 0.01) << graph;
-    }
-}
-
 TEST(ConsistentSphere, PictureDoesNotDependOnTheScaleOfTheScene) {
     for (const char* graph : estimators) {
         const auto plain = meanOf(rendered(graph, {}, 48));
