@@ -1,4 +1,4 @@
-// Sample patterns in the image.
+// Sample patterns in the image and along rays.
 #ifndef SAMPLING_GLSL
 #define SAMPLING_GLSL
 
@@ -15,6 +15,11 @@ vec2 spiralPoint(uint index, uint count, uint turns, float firstAngle) {
     float along = (float(index) + 0.5) / float(count);
     float angle = twoPi * along * float(turns) + firstAngle;
     return sqrt(along) * vec2(cos(angle), sin(angle));
+}
+
+/// The distance along the ray by which the part xi of light of extinction sigma (1/mm) is extinguished.
+float freeFlight(float xi, float sigma) {
+    return -log(1.0 - xi) / sigma;
 }
 
 #endif

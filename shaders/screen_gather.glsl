@@ -1,41 +1,7 @@
 // Multiple scattering in the picture: points around the pixel are drawn from the dipole's own radial distribution in the
 // tangent plane, looked up in the picture, weighted by R_d at their true distance and by their true area.
-#include "bssrdf.glsl"
+#include "dipole_sampling.glsl"
 #include "exitance.glsl"
-
-/// One medium that stands for the three channels when points are drawn: the channel that reaches farthest bounds the weights.
-struct Sampler {
-    vec2 depth;       // real and virtual source, mm
-    float transport;  // 1/mm
-    float realShare;  // of the samples
-};
-
-Sampler samplerOf(Dipole dipole) {
-    const vec3 mean = vec3(1.0 / 3.0);
-    vec2 depth = vec2(dot(dipole.realDepth, mean), dot(dipole.virtualDepth, mean));
-    float transport = min(dipole.transport.x, min(dipole.transport.y, dipole.transport.z));
-    return Sampler(depth, transport, 1.0 / (1.0 + exp(transport * (depth.x - depth.y))));
-}
-
-/// The distance d from a source at depth z within which the part xi of its light leaves: 1 - z/d e^(sigma_tr (z - d)) = xi.
-/// With w = sigma_tr d that is w + ln w = known, solved by Newton's method.
-float quantileDistance(float xi, float z, float transport) {
-    float s = transport * z;
-    if (s < 1e-6) return z / (1.0 - xi);
-    float known = s + log(s) - log(1.0 - xi);
-    float w = max(known > 1.0 ? known - log(known) : exp(known - 1.0), s);
-    for (int i = 0; i < 4; ++i) w = w * (1.0 + known - log(w)) / (1.0 + w);
-    return max(w / transport, z);
-}
-
-/// Density of the drawn points in the tangent plane, 1/mm^2.
-float densityAt(Sampler from, float squaredRadius) {
-    const float inverseTwoPi = 0.159154943091895;
-    vec2 distances = sqrt(squaredRadius + from.depth * from.depth);
-    vec2 s = from.transport * distances;
-    vec2 perSource = from.depth * (1.0 + s) * exp(from.transport * from.depth - s) / (distances * distances * distances);
-    return inverseTwoPi * dot(vec2(from.realShare, 1.0 - from.realShare), perSource);
-}
 
 /// The pixel that shows the direction to a world point; `inside` false where there is none.
 ivec2 pixelOf(vec3 worldPoint, out bool inside) {
@@ -73,10 +39,7 @@ vec3 exitanceOf(ShadedPoint point, Dipole dipole, vec3 ownIrradiance) {
     vec3 weights = vec3(0.0);
     for (uint i = 0u; i < taps; ++i) {
         float u = (float(i) + 0.5) / float(taps);
-        bool isReal = u < from.realShare;
-        float z = isReal ? from.depth.x : from.depth.y;
-        float d = quantileDistance(isReal ? u / from.realShare : (u - from.realShare) / (1.0 - from.realShare), z, from.transport);
-        float squaredRadius = max(d * d - z * z, 0.0);
+        float squaredRadius = squaredRadiusAt(from, u);
         float angle = goldenAngle * float(i);
         vec3 aimed = point.position + sqrt(squaredRadius) * (cos(angle) * tangent + sin(angle) * bitangent);
         bool inside;

@@ -5,6 +5,7 @@
 #include "fresnel.glsl"
 #include "light_frame.glsl"
 #include "phase.glsl"
+#include "sampling.glsl"
 #include "surface.glsl"
 
 /// int of sigma_t over a path of `length` mm that goes down through a material's layers at `cosine` > 0 (Eq. 11, with the
@@ -61,11 +62,6 @@ vec3 scatteredLight(LightFrame light, vec3 point, vec3 outward, float g, float e
     vec3 attenuation = exp(-opticalDepth(materialOf(surfaceTexel), surfaceTexel.xy, way, inside));
     float entering = (1.0 - fresnelReflectance(outside, eta)) * outside / inside;
     return lights[light.light].intensity * (entering / squaredDistance * phaseHenyeyGreenstein(dot(travel, outward), g)) * attenuation;
-}
-
-/// The distance along the ray by which the part xi of light of extinction sigma (1/mm) is extinguished.
-float freeFlight(float xi, float sigma) {
-    return -log(1.0 - xi) / sigma;
 }
 
 /// L_ss of a translucent surface point.
