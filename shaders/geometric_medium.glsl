@@ -30,7 +30,7 @@ vec3 partApart(vec3 absorbed) {
 /// on curved surfaces the fluence of a source and its mirror image reaches too far where little is absorbed. Measured on
 /// spheres, see docs/model.md.
 vec3 partOfFluence(vec3 absorbed) {
-    return 0.12 * smoothstep(0.04, 0.15, absorbed);
+    return min(0.8 * absorbed, vec3(0.12));
 }
 
 /// 1 over what a plane of unit sources and their mirror images sends through the surface, x = sigma_tr z_b: the flow
