@@ -39,7 +39,9 @@ void pixel(ivec2 p) {
     if (positionTexel.w > 0.0 && materials[materialOf(surfaceTexel)].layerCount > 0u) {
         ShadedPoint point = shadedPointOf(positionTexel, load(normal, p), surfaceTexel);
         GeometricMedium medium = geometricMediumOf(point);
-        InterpolatedFlow interpolated = interpolatedFlow(p, point, medium);
+        // Without a grid there is no light to gather, only the environment's.
+        InterpolatedFlow interpolated = InterpolatedFlow(true, noFlow);
+        if (connected(gridRed)) interpolated = interpolatedFlow(p, point, medium);
         if (interpolated.isSafe) scattered = scatteredRadiance(interpolated.flow, point, medium);
         mark = interpolated.isSafe ? 0.0 : 1.0;
     }

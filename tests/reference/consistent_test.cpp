@@ -26,7 +26,8 @@ struct SphereScene {
     double eta = 1.3;
     double scale = 1;  ///< of all lengths; coefficients shrink and the intensity grows, so the picture stays
     std::array<double, 3> light{30, 30, 10};
-    double intensity = 5000;
+    double intensity = 5000;  ///< 0: there is no light
+    double environment = 0;   ///< radiance from everywhere
 };
 
 std::filesystem::path write(const SphereScene& s) {
@@ -34,16 +35,23 @@ std::filesystem::path write(const SphereScene& s) {
         return fmt::format("[{}, {}, {}]", v[0] * factor, v[1] * factor, v[2] * factor);
     };
     const double k = s.scale;
+    const double intensity = s.intensity * k * k;
+    const std::string lights =
+        intensity > 0
+            ? fmt::format(R"json({{"type": "point", "position": {}, "intensity": [{}, {}, {}]}})json",
+                          triple(s.light, k), intensity, intensity, intensity)
+            : "";
     return sharedScratchFolder().write(
-        "consistent-sphere.json", fmt::format(
-                                      R"json({{ "millimetersPerUnit": 1,
+        "consistent-sphere.json",
+        fmt::format(
+            R"json({{ "millimetersPerUnit": 1,
  "camera": {{"position": [0, 0, {}], "target": [0, 0, 0], "up": [0, 1, 0], "fovY": 36, "near": {}, "far": {}}},
- "lights": [{{"type": "point", "position": {}, "intensity": [{}, {}, {}]}}],
+ "lights": [{}],
+ "environment": {{"radiance": [{}, {}, {}]}},
  "materials": {{"medium": {{"layers": [{{"absorption": {}, "scattering": {}}}], "g": {}, "eta": {}, "specular": false}}}},
  "objects": [{{"mesh": {{"procedural": "sphere", "radius": {}}}, "material": "medium"}}] }})json",
-                                      40 * k, k, 1000 * k, triple(s.light, k), s.intensity * k * k,
-                                      s.intensity * k * k, s.intensity * k * k, triple(s.absorption, 1 / k),
-                                      triple(s.scattering, 1 / k), s.g, s.eta, 10 * k));
+            40 * k, k, 1000 * k, lights, s.environment, s.environment, s.environment,
+            triple(s.absorption, 1 / k), triple(s.scattering, 1 / k), s.g, s.eta, 10 * k));
 }
 
 image::Image rendered(const std::string& graph, const SphereScene& scene, std::uint32_t size,
@@ -117,6 +125,20 @@ TEST(ConsistentSphere, ScreenGatherIsNoCloserThanWhatTheCameraSees) {
         errorAgainstDipole(rendered("screen-space.json", scene, 64, "multiple.radiance"), scene, 0);
     std::cout << fmt::format("screen-gather, 64 taps at most: relRMSE {:.4f}\n", error);
     EXPECT_LT(error, 0.25);
+}
+
+TEST(ConsistentSphere, UniformLightOnAMediumThatAbsorbsNothingLeavesAsItCame) {
+    SphereScene sphere;
+    sphere.absorption = {0, 0, 0};
+    sphere.intensity = 0;
+    sphere.environment = 2;
+    // What enters leaves, and in the middle it is seen perpendicularly: L F_t(1).
+    const double reflected = std::pow((sphere.eta - 1) / (sphere.eta + 1), 2);
+    for (const char* graph : estimators) {
+        const image::Image picture = rendered(graph, sphere, 33);
+        for (std::uint32_t c = 0; c < 3; ++c)
+            EXPECT_NEAR(static_cast<double>(picture.at(16, 16, c)), 2 * (1 - reflected), 0.01) << graph;
+    }
 }
 
 TEST(ConsistentSphere, PictureDoesNotDependOnTheScaleOfTheScene) {
