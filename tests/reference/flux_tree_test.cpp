@@ -7,6 +7,7 @@
 #include <glm/vec3.hpp>
 #include <numbers>
 
+#include "reference/dumped_flux_tree.h"
 #include "reference/dumped_frame.h"
 #include "reference/literal/fresnel.h"
 #include "runtime/session.h"
@@ -28,55 +29,20 @@ constexpr const char* scene = R"({ "millimetersPerUnit": 1,
   "materials": {"apple": {"layers": [{"absorption": [0.003, 0.0034, 0.046], "scattering": [2.29, 2.39, 1.97]}], "g": 0, "eta": 1.3}},
   "objects": [{"mesh": {"procedural": "sphere", "radius": 10}, "material": "apple"}] })";
 
-/// A node as the tree holds it.
-struct Node {
-    glm::dvec3 centre{0};
-    double variance = -1;
-    glm::dvec3 normal{0};
-    double flux = 0;
-};
+DumpedFluxTree renderedTree() {
+    runtime::SessionOptions options;
+    options.scene = sharedScratchFolder().write("flux-tree.json", scene);
+    options.graph = graphFolder() / "consistent.json";
+    options.size = {16, 16};
+    options.settings = {"lightSize=512", "treeSize=" + std::to_string(base)};
+    options.dumps = {"flux-tree.places", "flux-tree.entries"};
+    runtime::Session session(options);
+    session.renderFrame(0);
+    return {session.read("flux-tree.places"), session.read("flux-tree.entries"), base};
+}
 
-/// All nodes of a level in Morton's order.
-class FluxTree {
-  public:
-    FluxTree() {
-        runtime::SessionOptions options;
-        options.scene = sharedScratchFolder().write("flux-tree.json", scene);
-        options.graph = graphFolder() / "consistent.json";
-        options.size = {16, 16};
-        options.settings = {"lightSize=512", "treeSize=" + std::to_string(base)};
-        options.dumps = {"flux-tree.places", "flux-tree.entries"};
-        runtime::Session session(options);
-        session.renderFrame(0);
-        places_ = session.read("flux-tree.places");
-        entries_ = session.read("flux-tree.entries");
-    }
-
-    std::vector<Node> level(std::uint32_t number) const {
-        std::uint32_t first = 0;
-        for (std::uint32_t below = 0; below < number; ++below) first += (base >> below) * (base >> below);
-        std::vector<Node> nodes((base >> number) * (base >> number));
-        for (std::uint32_t i = 0; i < nodes.size(); ++i) nodes[i] = node(first + i);
-        return nodes;
-    }
-
-  private:
-    Node node(std::uint32_t i) const {
-        const auto value = [&](const image::Image& image, std::uint32_t channel) {
-            return static_cast<double>(image.at(i % base, i / base, channel));
-        };
-        return {{value(places_, 0), value(places_, 1), value(places_, 2)},
-                value(places_, 3),
-                {value(entries_, 0), value(entries_, 1), value(entries_, 2)},
-                value(entries_, 3)};
-    }
-
-    image::Image places_;
-    image::Image entries_;
-};
-
-const FluxTree& tree() {
-    static const FluxTree made;
+const DumpedFluxTree& tree() {
+    static const DumpedFluxTree made = renderedTree();
     return made;
 }
 
@@ -93,9 +59,9 @@ double exactFlux(double low, double high) {
     });
 }
 
-double total(const std::vector<Node>& nodes) {
+double total(const std::vector<FluxNode>& nodes) {
     double sum = 0;
-    for (const Node& node : nodes) sum += node.flux;
+    for (const FluxNode& node : nodes) sum += node.flux;
     return sum;
 }
 
@@ -119,7 +85,7 @@ double bandTest(Density&& flux) {
     std::vector<double> exact(bands);
     double samples = 0;
     double sum = 0;
-    for (const Node& node : tree().level(0)) {
+    for (const FluxNode& node : tree().level(0)) {
         if (node.variance < 0) continue;
         const double cosine = glm::dot(glm::normalize(node.centre), glm::normalize(light));
         const int band = static_cast<int>((cosine - low) / (1 - low) * bands);
@@ -153,12 +119,12 @@ TEST(FluxTree, LeavesFollowTheDensityOfTheFlux) {
 }
 
 TEST(FluxTree, NodesHaveTheMeanAndTheVarianceOfTheirLeaves) {
-    const std::vector<Node> leaves = tree().level(0);
+    const std::vector<FluxNode> leaves = tree().level(0);
     for (const std::uint32_t number : {1U, 3U, 4U, 7U}) {
-        const std::vector<Node> nodes = tree().level(number);
+        const std::vector<FluxNode> nodes = tree().level(number);
         const std::size_t parts = leaves.size() / nodes.size();
         for (std::size_t i = 0; i < nodes.size(); i += std::max<std::size_t>(1, nodes.size() / 64)) {
-            Node exact{glm::dvec3(0), 0, glm::dvec3(0), 0};
+            FluxNode exact{glm::dvec3(0), 0, glm::dvec3(0), 0};
             for (std::size_t k = i * parts; k < (i + 1) * parts; ++k) {
                 exact.flux += leaves[k].flux;
                 exact.centre += leaves[k].flux * leaves[k].centre;
