@@ -12,18 +12,21 @@ struct Dipole {
     vec3 virtualDepth;   // z_v = z_r (1 + 4A/3), mm
 };
 
-/// Below this reduced scattering (a mean free path of 1,000 km) a medium counts as clear: 1/z^3 would leave float's range.
-const float leastScattering = 1e-9;
+/// Below this reduced extinction, 1/mm (a mean free path of 1,000 km), a medium counts as clear: 1/z^3 would leave float's
+/// range.
+const float leastExtinction = 1e-9;
 
-/// The dipole of a medium under a boundary of mismatch A. Where it does not scatter, alpha' is 0 and the depths are 1 mm,
-/// so that R_d is 0 and not 0/0.
+/// The dipole of a medium under a boundary of mismatch A. Where the medium is clear, alpha' is 0 and the depths are 1 mm, so
+/// that R_d is 0 and not 0/0.
 Dipole dipoleUnder(float boundary, vec3 absorption, vec3 scattering, float g) {
     vec3 reduced = (1.0 - g) * scattering;
-    bvec3 scatters = greaterThan(reduced, vec3(leastScattering));
-    vec3 extinction = mix(vec3(1.0), reduced + absorption, scatters);
+    vec3 extinction = reduced + absorption;
+    bvec3 isClear = lessThan(extinction, vec3(leastExtinction));
+    reduced = mix(reduced, vec3(0.0), isClear);
+    extinction = mix(extinction, vec3(1.0), isClear);
 
     Dipole dipole;
-    dipole.reducedAlbedo = mix(vec3(0.0), reduced / extinction, scatters);
+    dipole.reducedAlbedo = reduced / extinction;
     dipole.transport = sqrt(3.0 * absorption * extinction);
     dipole.realDepth = 1.0 / extinction;
     dipole.virtualDepth = dipole.realDepth * (1.0 + 4.0 / 3.0 * boundary);
@@ -32,8 +35,7 @@ Dipole dipoleUnder(float boundary, vec3 absorption, vec3 scattering, float g) {
 
 /// As the literal reading has it: A from the fit of F_dr.
 Dipole dipoleOf(vec3 absorption, vec3 scattering, float g, float eta) {
-    float internalReflection = diffuseFresnelReflectance(eta);
-    return dipoleUnder((1.0 + internalReflection) / (1.0 - internalReflection), absorption, scattering, g);
+    return dipoleUnder(fittedBoundaryMismatch(eta), absorption, scattering, g);
 }
 
 /// The integral of R_d over the surface: what part of the power that enters leaves again.

@@ -54,13 +54,14 @@ float boundaryMismatch(float eta) {
     return (2.0 - leaving) / leaving;
 }
 
-/// F_dr: the diffuse reflectance of the boundary seen from inside. Egan and Hilgeman's fit (1979), as quoted by
-/// Jensen et al. (2001); limited to 0.999 because the fit passes 1 near eta = 4.
-float diffuseFresnelReflectance(float eta) {
+/// A = (1 + F_dr)/(1 - F_dr) by Egan and Hilgeman's fit of F_dr (1979), as quoted by Jensen et al. (2001). F_dr is limited to
+/// 0.999, because the fit passes 1 near eta = 4. 1 - F_dr is evaluated as such: where it is small a difference would lose it.
+float fittedBoundaryMismatch(float eta) {
     float inverse = 1.0 / eta;
-    float above = (-1.440 * inverse + 0.710) * inverse + 0.668 + 0.0636 * eta;
-    float below = -0.4399 + ((0.0636 * inverse - 0.3319) * inverse + 0.7099) * inverse;
-    return min(eta >= 1.0 ? above : below, 0.999);
+    float above = (1.440 * inverse - 0.710) * inverse + 0.332 - 0.0636 * eta;
+    float below = 1.4399 - ((0.0636 * inverse - 0.3319) * inverse + 0.7099) * inverse;
+    float leaving = max(eta >= 1.0 ? above : below, 0.001);
+    return (2.0 - leaving) / leaving;
 }
 
 #endif

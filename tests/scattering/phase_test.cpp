@@ -109,15 +109,20 @@ TEST(Phase, IsSampledByItsOwnDensity) {
 }
 
 TEST(Phase, IsNotSampledByAnothersDensity) {
-    statistics::Family family;
     Random random(2024, 0, 1);
     const auto edges = peakedEdges(0.5);
-    family.add(
-        "Schlick's k for Henyey-Greenstein's g",
-        statistics::sampleTest([&] { return sampleHenyeyGreenstein(0.5, random.uniform()); },
-                               [&](double cosine) { return 2 * pi * schlick(cosine, schlickParameter(0.5)); },
-                               edges, 200000));
-    EXPECT_FALSE(family.holds());
+    const auto test = [&](auto sample, double sampled, auto density, double parameter) {
+        statistics::Family family;
+        family.add("phase",
+                   statistics::sampleTest([&] { return sample(sampled, random.uniform()); },
+                                          [&](double cosine) { return 2 * pi * density(cosine, parameter); },
+                                          edges, 200000));
+        return family.holds();
+    };
+    EXPECT_FALSE(test(sampleHenyeyGreenstein, 0.5, schlick, schlickParameter(0.5)));
+    EXPECT_FALSE(test(sampleHenyeyGreenstein, 0.5, henyeyGreenstein, 0.51));
+    EXPECT_FALSE(test(sampleSchlick, schlickParameter(0.5), henyeyGreenstein, 0.5));
+    EXPECT_FALSE(test(sampleSchlick, 0.5, schlick, 0.51));
 }
 
 }  // namespace

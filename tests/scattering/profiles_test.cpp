@@ -153,16 +153,28 @@ TEST(Profiles, AreSampledByTheirOwnDensity) {
     EXPECT_TRUE(family.holds());
 }
 
-TEST(Profiles, AreNotSampledByAnothersDensity) {
+/// Whether radii of one profile pass for those of another.
+template<class Sampled, class Other>
+testing::AssertionResult passesFor(const Sampled& profile, const Other& other, double unit) {
     Random random(5, 0, 0);
-    const Burley burley(apple);
-    const BetterDipole dipole(apple);
     statistics::Family family;
-    family.add("Burley", statistics::sampleTest(
-                             [&] { return burley.sampleRadius(random); },
-                             [&](double r) { return 2 * pi * r * dipole.exitance(r) / dipole.total(); },
-                             logarithmicEdges(0.01, 30, 8), 100000));
-    EXPECT_FALSE(family.holds());
+    family.add("radius", statistics::sampleTest(
+                             [&] { return profile.sampleRadius(random); },
+                             [&](double r) { return 2 * pi * r * other.exitance(r) / other.total(); },
+                             logarithmicEdges(0.02 * unit, 30 * unit, 4), 50000));
+    return family.holds();
+}
+
+TEST(Profiles, AreNotSampledByAnothersDensity) {
+    const double unit = 1 / reducedExtinction(dull);
+    const Medium other{dull.absorption * 1.05, dull.scattering * 1.05, dull.g, dull.eta};
+    EXPECT_TRUE(passesFor(Burley(dull), Burley(dull), unit));
+    EXPECT_FALSE(passesFor(Burley(dull), Burley(other), unit));
+    EXPECT_FALSE(passesFor(Burley(dull), BetterDipole(dull), unit));
+    EXPECT_FALSE(passesFor(BetterDipole(dull), BetterDipole(other), unit));
+    EXPECT_FALSE(passesFor(SingleScattering(dull), SingleScattering(other), unit));
+    EXPECT_FALSE(passesFor(PhotonBeamDiffusion(dull, 10), PhotonBeamDiffusion(other, 10), unit));
+    EXPECT_FALSE(passesFor(skinGaussians(ColorChannel::red), skinGaussians(ColorChannel::green), 0.5));
 }
 
 /// Finite, not negative, falling with the radius, and never more than comes in.

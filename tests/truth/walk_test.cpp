@@ -146,7 +146,6 @@ TEST(Walk, GlassyHalfSpaceIsGiovanellis) {
 
 /// Where all surroundings shine alike and nothing absorbs, everything looks as bright as they.
 TEST(Walk, WhiteFurnaceLosesNothing) {
-    Family family;
     for (const double eta : {1.0, 1.3}) {
         const auto scene = test::sceneOf("{" + test::anyCamera +
                                          R"json(, "environment": {"radiance": [1, 1, 1]}, "objects": [
@@ -160,11 +159,9 @@ TEST(Walk, WhiteFurnaceLosesNothing) {
             const auto found = sampleRadiance(world, sight.seen, sight.view, 2, Scatterings::Any, random);
             return found.single + found.multiple;
         });
-        if (eta == 1) {
-            EXPECT_NEAR(radiance.mean(), 1, 1e-12);
-        }
-        EXPECT_NEAR(radiance.mean(), entering, 4 * radiance.standardError() + 1e-9);
-        EXPECT_LT(radiance.standardError(), 0.05);
+        // Whatever way a path takes, it brings the same.
+        EXPECT_NEAR(radiance.mean(), entering, 1e-12);
+        EXPECT_LT(radiance.standardError(), 1e-12);
     }
 }
 
