@@ -98,12 +98,6 @@ TEST(SingleScattering, HasTheTotalAndFractionsOfItsIntegral) {
     }
 }
 
-TEST(Burley, HasThePublishedScaling) {
-    EXPECT_NEAR(burleyScaling(0.8), 1.05, 1e-15);
-    EXPECT_NEAR(burleyScaling(0.3), 1.85 - 0.3 + 7 * 0.125, 1e-14);
-    EXPECT_DOUBLE_EQ(Burley({0.5, 1, 0, 1}).scaling(), burleyScaling(halfSpaceReflectance({0.5, 1, 0, 1})));
-}
-
 TEST(Burley, HasTheTotalAndFractionsOfItsIntegral) {
     for (const Medium& medium : {apple, dull, dark}) {
         const double unit = 1 / reducedExtinction(medium);

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "scene/view.h"
-#include "statistics.h"
 #include "support.h"
 #include "truth/run_record.h"
 
@@ -73,28 +72,6 @@ TEST(Rendering, ContinuesWhereItStopped) {
         Rendering other = work.rendering({}, 7);
         EXPECT_FALSE(other.restore("short"));
     }
-}
-
-TEST(Rendering, HalvesAgreeWithinTheirErrors) {
-    statistics::Family family;
-    std::array<image::Image, 2> means, errors;
-    for (std::size_t half = 0; half < 2; ++half) {
-        Work work(Mode::Volume, 100 + half);
-        Rendering rendering = work.rendering({}, 64);
-        rendering.run(2, {});
-        means[half] = rendering.picture();
-        errors[half] = rendering.standardErrors();
-    }
-    for (std::uint32_t y = 0; y < 13; ++y)
-        for (std::uint32_t x = 0; x < 20; ++x) {
-            const double a = errors[0].at(x, y, 0), b = errors[1].at(x, y, 0);
-            // Pixels in the dark are lit by few paths, and their means are far from normal.
-            if (!(means[0].at(x, y, 0) + means[1].at(x, y, 0) > 8 * (a + b))) continue;
-            const double difference = double{means[0].at(x, y, 0)} - double{means[1].at(x, y, 0)};
-            family.add(std::to_string(x) + "," + std::to_string(y),
-                       statistics::studentTail(difference / std::hypot(a, b), 126));
-        }
-    EXPECT_TRUE(family.holds());
 }
 
 TEST(Rendering, SeesThroughTheGpusPixels) {

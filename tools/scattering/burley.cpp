@@ -1,46 +1,31 @@
-// Two exponentials, and how wide they are where the boundary refracts.
+// Two exponentials and their width.
 #include "scattering/burley.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "scattering/fresnel.h"
 #include "scattering/half_space.h"
-#include "scattering/photon_beam_diffusion.h"
 
 namespace nephrite::scattering {
-namespace {
-
-/// The radius within which half of photon beam diffusion's power leaves, in mean free paths.
-double medianRadius(const Medium& medium) {
-    constexpr int depths = 20;
-    constexpr int steps = 30;
-    const PhotonBeamDiffusion profile(medium, depths);
-    const double freePath = 1 / reducedExtinction(medium);
-    double low = 1e-4;
-    double high = 1e4;
-    for (int step = 0; step < steps; ++step) {
-        const double middle = std::sqrt(low * high);
-        (profile.fractionWithin(middle * freePath) < 0.5 ? low : high) = middle;
-    }
-    return std::sqrt(low * high);
-}
-
-}  // namespace
-
 double burleyScaling(double surfaceAlbedo) {
     const double distance = std::abs(surfaceAlbedo - 0.8);
     return 1.85 - surfaceAlbedo + 7 * distance * distance * distance;
+}
+
+double burleyScaling(double surfaceAlbedo, double eta) {
+    const double leaving = 1 - diffuseReflectanceInside(eta);
+    const double x = surfaceAlbedo / (surfaceAlbedo + (1 - surfaceAlbedo) * leaving);
+    const double exponent = -0.77 + x * (6.30 + x * (-11.94 + x * 7.82));
+    return std::pow(leaving, exponent) * burleyScaling(x);
 }
 
 Burley::Burley(const Medium& medium) {
     if (reducedAlbedo(medium) == 0) return;
     freePath_ = 1 / reducedExtinction(medium);
     albedo_ = halfSpaceReflectance(medium);
-    Medium matched = reduced(medium);
-    matched.eta = 1;
-    scaling_ = burleyScaling(halfSpaceReflectance(matched));
-    if (medium.eta != 1) scaling_ *= medianRadius(matched) / medianRadius(reduced(medium));
+    scaling_ = burleyScaling(albedo_, medium.eta);
 }
 
 double Burley::exitance(double radius) const {

@@ -11,12 +11,17 @@ namespace nephrite::scattering {
 /// an index step. The profile is the narrower the larger s.
 double burleyScaling(double surfaceAlbedo);
 
+/// s under a boundary of relative index `eta`, where A is the albedo of the surface with the boundary, per
+/// unit of entering power: fitted to Monte Carlo for eta 1.1, 1.3 and 1.5, and the authors' own at eta = 1.
+///
+/// s(A, eta) = T^p(X) s(X), p(X) = -0.77 + 6.30 X - 11.94 X^2 + 7.82 X^3, T = 1 - F_dr, X = A/(A + (1-A) T):
+/// the albedo without what the boundary sends back (Saunderson 1942). docs/profiles.md has the errors.
+double burleyScaling(double surfaceAlbedo, double eta);
+
 /// All per unit of power that enters the medium; radii in mm.
 ///
-/// R(r) = A s / (8 pi l r) (e^(-s r/l) + e^(-s r/(3 l))) with l = 1/sigma_t'. A is halfSpaceReflectance().
-/// The authors' s knows no refraction: for eta != 1 it is taken at the albedo that the same medium has
-/// without an index step, and divided by how much wider photon beam diffusion's median radius is with the
-/// step than without.
+/// R(r) = A s / (8 pi l r) (e^(-s r/l) + e^(-s r/(3 l))) with l = 1/sigma_t'. A is halfSpaceReflectance(), s
+/// is burleyScaling(A, eta).
 class Burley {
   public:
     explicit Burley(const Medium& medium);
