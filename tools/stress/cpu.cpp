@@ -78,9 +78,10 @@ void checkPhotons(const LayerStack& stack, Outcome& outcome) {
     outcome.check(std::abs(sum - 1) <= 1e-9, fmt::format("powers add up to {:.12g}", sum));
     for (const Estimate& estimate :
          {result.totalReflectance, result.singleReflectance, result.totalTransmittance, result.absorptance})
-        outcome.check(
-            estimate.value >= 0 && estimate.value <= 1 + 1e-9 && std::isfinite(estimate.standardError),
-            fmt::format("a share of {} +- {}", estimate.value, estimate.standardError));
+        // Roulette makes some photons heavier than they were: a share is within its noise of at most 1.
+        outcome.check(estimate.value >= 0 && estimate.value <= 1 + 1e-9 + 6 * estimate.standardError &&
+                          std::isfinite(estimate.standardError),
+                      fmt::format("a share of {} +- {}", estimate.value, estimate.standardError));
     for (const Estimate& exitance : result.exitance)
         outcome.check(
             exitance.value >= 0 && std::isfinite(exitance.value) && std::isfinite(exitance.standardError),
