@@ -15,25 +15,28 @@ std::vector<GraphChoice> smoothGraphs() {
     return {graphNamed("consistent"), graphNamed("light-pyramid")};
 }
 
-/// Two scenes whose pictures must have the same means.
+/// Scenes whose pictures must have the same means as that of their limit.
 struct Limit {
     std::string name;
-    SceneValues scene;
+    std::vector<SceneValues> scenes;
     SceneValues limit;
     double tolerance;  ///< relative
 };
 
 void checkSame(const Limit& law, const Place& place, Outcome& outcome) {
     const auto graphs = smoothGraphs();
-    const auto means = pictureMeans(law.scene, graphs, place);
     const auto expected = pictureMeans(law.limit, graphs, place);
-    for (std::size_t graph = 0; graph < graphs.size(); ++graph) {
-        for (std::size_t c = 0; c < 3; ++c) {
-            const double difference = std::abs(means[graph][c] - expected[graph][c]);
-            outcome.check(difference <= law.tolerance * expected[graph][c],
-                          fmt::format("{}: mean {:.6g} of channel {}, expected {:.6g} within {:.2g} of it",
-                                      graphs[graph].file.stem().string(), means[graph][c], c,
-                                      expected[graph][c], law.tolerance));
+    for (const SceneValues& scene : law.scenes) {
+        const auto means = pictureMeans(scene, graphs, place);
+        for (std::size_t graph = 0; graph < graphs.size(); ++graph) {
+            for (std::size_t c = 0; c < 3; ++c) {
+                const double difference = std::abs(means[graph][c] - expected[graph][c]);
+                outcome.check(
+                    difference <= law.tolerance * expected[graph][c],
+                    fmt::format("{}: mean {:.6g} of channel {}, expected {:.6g} within {:.2g} of it",
+                                graphs[graph].file.stem().string(), means[graph][c], c, expected[graph][c],
+                                law.tolerance));
+            }
         }
     }
 }
@@ -58,28 +61,34 @@ std::vector<NamedMaterial> materials() {
             {"low-index", {{{{0.1, 0.01, 1}, {1, 2, 3}}}, 0, 0.8}}};
 }
 
+/// Little absorption, much of it, and layers.
+std::vector<NamedMaterial> someMaterials() {
+    const std::vector<NamedMaterial> all = materials();
+    return {all[0], all[2], all[4]};
+}
+
 std::vector<Limit> scaleLaws() {
     std::vector<Limit> laws;
     for (const NamedMaterial& named : materials()) {
-        for (const double scale : {1e-4, 1e4}) {
-            Limit& law = laws.emplace_back(Limit{fmt::format("scale-{:g}+{}", scale, named.name),
-                                                 sphereOf(named.material), sphereOf(named.material), 1e-3});
-            law.scene.scale = scale;
-        }
+        const SceneValues plain = sphereOf(named.material);
+        Limit law{"scale+" + named.name, {plain, plain}, plain, 1e-3};
+        law.scenes[0].scale = 1e-4;
+        law.scenes[1].scale = 1e4;
+        laws.push_back(std::move(law));
     }
     return laws;
 }
 
-/// One law a material: `change` brings it near the limit, `limit` is the limit.
+/// One law for each of three materials: `change` brings it near the limit, `limit` is the limit.
 template<class Change, class ToLimit>
 void addLimits(std::vector<Limit>& laws, const std::string& name, double tolerance, Change change,
                ToLimit limit) {
-    for (const NamedMaterial& named : materials()) {
+    for (const NamedMaterial& named : someMaterials()) {
         MaterialValues near = named.material;
         MaterialValues at = named.material;
         change(near);
         limit(at);
-        laws.push_back({name + "+" + named.name, sphereOf(near), sphereOf(at), tolerance});
+        laws.push_back({name + "+" + named.name, {sphereOf(near)}, sphereOf(at), tolerance});
     }
 }
 
@@ -140,7 +149,7 @@ std::vector<Case> lawCases(const Place& place) {
     for (const auto& laws : {scaleLaws(), limitLaws()})
         for (const Limit& law : laws)
             cases.push_back({"law/" + law.name, [law, place](Outcome& o) { checkSame(law, place, o); }});
-    for (const NamedMaterial& named : materials())
+    for (const NamedMaterial& named : someMaterials())
         cases.push_back({"law/falls-with-absorption+" + named.name,
                          [named, place](Outcome& o) { checkFallsWithAbsorption(named.material, place, o); }});
     return cases;
