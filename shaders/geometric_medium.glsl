@@ -59,11 +59,12 @@ GeometricMedium geometricMediumOf(ShadedPoint point) {
 
 /// Strength of the sources of light that entered at `cosine`, per 4 pi: what a half space reflects of it, over what the
 /// two sources send through a plane. Oblique light stays shallower: reflectance falls with the cosine as 1/(1 + 2 c s)
-/// (Hapke 1981).
+/// (Hapke 1981). sigma_tr/sigma_t' is sqrt(3 (1 - alpha')), also where nothing scatters and both are made up.
 vec3 strengthOf(GeometricMedium medium, float cosine) {
     vec3 total = medium.reflectance * (1.0 + 2.0 * medium.absorbed) / (1.0 + 2.0 * cosine * medium.absorbed);
     vec3 scatteredMore = max(total - medium.apart * medium.single * singleObliquity(cosine), vec3(0.0));
-    return medium.planeShare * scatteredMore * exp(medium.transport * medium.freePath * cosine);
+    const float squareRootOfThree = 1.73205080756888;
+    return medium.planeShare * scatteredMore * exp(squareRootOfThree * cosine * medium.absorbed);
 }
 
 #endif
