@@ -1,3 +1,4 @@
+// See axes.h.
 #include "stress/axes.h"
 
 namespace nephrite::stress {

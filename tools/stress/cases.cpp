@@ -1,3 +1,4 @@
+// See cases.h.
 #include "stress/cases.h"
 
 #include <array>

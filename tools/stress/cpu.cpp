@@ -1,3 +1,4 @@
+// See cpu.h.
 #include "stress/cpu.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// See device.h.
 #include "stress/device.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// See laws.h.
 #include "stress/laws.h"
 
 #include <fmt/format.h>

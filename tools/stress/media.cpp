@@ -1,3 +1,4 @@
+// See media.h.
 #include "stress/media.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// See scene_values.h.
 #include "stress/scene_values.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// See shapes.h.
 #include "stress/shapes.h"
 
 #include <fmt/format.h>
