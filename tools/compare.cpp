@@ -9,9 +9,9 @@
 #include "image/exr.h"
 #include "image/metrics/heat_map.h"
 #include "image/metrics/metrics.h"
+#include "image/metrics/metrics_report.h"
 #include "image/output_file.h"
 #include "image/png.h"
-#include "metrics_report.h"
 #include "text/diagnostics.h"
 #include "verbs.h"
 
@@ -74,7 +74,7 @@ struct Comparison {
 };
 
 std::string jsonOf(const Comparison& comparison, const CompareArguments& arguments) {
-    Json::Value json = toJson(comparison.metrics);
+    Json::Value json = image::toJson(comparison.metrics);
     json["bins"] = arguments.bins;
     if (comparison.heatMap) json["heatmapRange"] = comparison.heatMap->range;
     Json::StreamWriterBuilder builder;
@@ -84,7 +84,7 @@ std::string jsonOf(const Comparison& comparison, const CompareArguments& argumen
 }
 
 std::string tableOf(const Comparison& comparison, const CompareArguments& arguments) {
-    std::string text = toTable(comparison.metrics);
+    std::string text = image::toTable(comparison.metrics);
     if (arguments.bins > 1) text += fmt::format("all of blocks of {0} x {0} pixels\n", arguments.bins);
     if (comparison.heatMap)
         text +=

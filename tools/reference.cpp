@@ -2,19 +2,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <fstream>
-#include <sstream>
 #include <thread>
 
 #include "commit.h"
-#include "image/output_file.h"
 #include "interrupt.h"
 #include "options.h"
 #include "progress_bar.h"
 #include "runtime/graph_loading.h"
-#include "truth/rendering.h"
+#include "truth/reference_run.h"
 #include "truth/run_record.h"
 #include "verbs.h"
 
@@ -35,13 +31,7 @@ struct ReferenceArguments {
     double time = 0;
 };
 
-truth::Mode modeOf(const std::string& name) {
-    if (name == "dipole") return truth::Mode::Dipole;
-    return name == "single" ? truth::Mode::Single : truth::Mode::Volume;
-}
-
 truth::Part partOf(const std::string& text) {
-    if (text.empty()) return {};
     const auto part = truth::parsePart(text);
     if (!part)
         throw InputError({"--part"},
@@ -64,111 +54,44 @@ void requireOutputs(const ReferenceArguments& arguments) {
     if (arguments.samples < 2) throw InputError({"--stderr"}, "standard errors need --spp 2 or more");
 }
 
-/// What identifies the run, except for what picture of it a file holds.
-image::Metadata recordOf(const ReferenceArguments& arguments, const scene::Scene& scene) {
-    image::Metadata record{{"mode", arguments.mode},
-                           {"scene", arguments.scene.string()},
-                           {"sceneDigest", truth::digestOf(scene.files())},
-                           {"samples", fmt::format("{}", arguments.samples)},
-                           {"seed", fmt::format("{}", arguments.seed)},
-                           {"time", fmt::format("{:.17g}", arguments.time)},
-                           {"commit", commit}};
-    if (arguments.mode == "dipole") record["fluxPoints"] = fmt::format("{}", arguments.fluxPoints);
-    if (!arguments.part.empty()) record["part"] = truth::toText(partOf(arguments.part));
-    return record;
+truth::ReferenceRequest requestOf(const ReferenceArguments& arguments) {
+    if (!std::isfinite(arguments.time)) throw InputError({"--time"}, "expected a finite number of seconds");
+    const graph::Extent size = pictureSize(arguments.size);
+    truth::ReferenceRequest request;
+    request.scene = arguments.scene;
+    request.width = size.width;
+    request.height = size.height;
+    request.time = arguments.time;
+    request.samples = arguments.samples;
+    request.estimator = {*truth::parseMode(arguments.mode), arguments.seed, arguments.fluxPoints};
+    if (!arguments.part.empty()) request.part = partOf(arguments.part);
+    request.commit = commit;
+    return request;
 }
 
-/// The file beside the output from which an interrupted run continues.
-class Unfinished {
-  public:
-    Unfinished(const ReferenceArguments& arguments, image::Metadata record)
-        : file_(arguments.output.string() + ".unfinished") {
-        record["size"] = arguments.size;
-        heading_ = truth::toText(record);
-    }
-
-    /// Throws InputError if there is one of another run.
-    void load(truth::Rendering& rendering) const {
-        std::ifstream stream(file_, std::ios::binary);
-        if (!stream) return;
-        std::ostringstream text;
-        text << stream.rdbuf();
-        const std::string saved = text.str();
-        const bool isOurs = saved.starts_with(heading_);
-        if (!isOurs || !rendering.restore(std::string_view(saved).substr(heading_.size())))
-            throw InputError({file_.string()},
-                             "holds the unfinished work of another command; remove it to start anew");
-    }
-    void save(const truth::Rendering& rendering) const {
-        image::writeFile(file_, heading_ + rendering.save());
-    }
-    void remove() const {
-        std::error_code ignored;
-        std::filesystem::remove(file_, ignored);
-    }
-    const std::filesystem::path& file() const { return file_; }
-
-  private:
-    std::filesystem::path file_;
-    std::string heading_;
-};
-
-void warn(const scene::Scene& scene, const truth::World& world, const ReferenceArguments& arguments) {
+void warn(const scene::Scene& scene, truth::Mode mode) {
     for (const Diagnostic& warning : scene.warnings()) fmt::print(stderr, "{}\n", toLine(warning, "warning"));
-    if (arguments.mode == "dipole" && world.hasEnvironment())
+    if (mode == truth::Mode::Dipole && scene.facts().environment != 0)
         fmt::print(stderr, "{}\n",
                    toLine({scene.description().environment.where,
                            "the dipole reference leaves out light from the environment"},
                           "warning"));
 }
 
-/// Renders until finished; what is done is saved every minute. Throws RunError when interrupted.
-void renderAll(truth::Rendering& rendering, const Unfinished& unfinished, unsigned threads) {
-    using Clock = std::chrono::steady_clock;
-    constexpr auto betweenSaves = std::chrono::minutes(1);
-    ProgressBar bar("reference");
-    Clock::time_point nextSave = Clock::now() + betweenSaves;
-    truth::Watcher watcher;
-    watcher.stop = [&] { return interrupted() || Clock::now() >= nextSave; };
-    watcher.progress = [&](double done) { bar.show(done); };
-    while (!rendering.isFinished()) {
-        rendering.run(threads, watcher);
-        if (rendering.isFinished()) break;
-        unfinished.save(rendering);
-        nextSave = Clock::now() + betweenSaves;
-        if (interrupted())
-            throw RunError(fmt::format("{}: error: interrupted; the same command continues from here",
-                                       unfinished.file().string()));
-    }
-}
-
 void reference(const ReferenceArguments& arguments) {
-    if (!std::isfinite(arguments.time)) throw InputError({"--time"}, "expected a finite number of seconds");
     requireOutputs(arguments);
-    const graph::Extent size = pictureSize(arguments.size);
-    const truth::Part part = partOf(arguments.part);
-    const auto folders = runtime::DataFolders::find();
-    const scene::Scene scene = runtime::loadScene(arguments.scene, arguments.time, folders);
-    const truth::World world(scene, arguments.time);
-    warn(scene, world, arguments);
-    const auto estimator =
-        truth::makeEstimator(world, {modeOf(arguments.mode), arguments.seed, arguments.fluxPoints}, scene);
-    const truth::Camera camera(scene.description().camera, size.width, size.height);
-    truth::Rendering rendering(world, camera, *estimator, part, arguments.samples);
-
-    image::Metadata record = recordOf(arguments, scene);
-    const Unfinished unfinished(arguments, record);
-    image::OutputFile(arguments.output);  // so that hours of work do not end at a folder that is not there
-    unfinished.load(rendering);
+    const truth::ReferenceRequest request = requestOf(arguments);
     catchInterrupts();
-    renderAll(rendering, unfinished,
-              arguments.threads != 0 ? arguments.threads : std::max(1U, std::thread::hardware_concurrency()));
-    record["content"] = "radiance";
-    image::writeExr(arguments.output, rendering.picture(), record);
-    record["content"] = "standard error";
-    if (!arguments.standardErrors.empty())
-        image::writeExr(arguments.standardErrors, rendering.standardErrors(), record);
-    unfinished.remove();
+    const scene::Scene scene =
+        runtime::loadScene(arguments.scene, arguments.time, runtime::DataFolders::find());
+    warn(scene, request.estimator.mode);
+    ProgressBar bar("reference");
+    truth::Watcher watcher;
+    watcher.stop = interrupted;
+    watcher.progress = [&](double done) { bar.show(done); };
+    const unsigned threads =
+        arguments.threads != 0 ? arguments.threads : std::max(1U, std::thread::hardware_concurrency());
+    truth::renderReference(request, scene, {arguments.output, arguments.standardErrors}, threads, watcher);
 }
 
 }  // namespace

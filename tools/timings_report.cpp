@@ -5,36 +5,23 @@
 #include <json/json.h>
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 
 #include "image/output_file.h"
+#include "runtime/time_statistics.h"
 #include "text/diagnostics.h"
 
 namespace nephrite::tools {
 namespace {
 
 using runtime::FrameTimes;
+using runtime::timeStatistics;
+using runtime::TimeStatistics;
 
-struct Statistics {
-    double median = 0;
-    double p95 = 0;
-    double min = 0;
-};
-
-/// Median (mean of the middle two), 95th percentile (nearest rank) and minimum.
-Statistics statistics(std::vector<double> values) {
-    if (values.empty()) return {};
-    std::sort(values.begin(), values.end());
-    const std::size_t n = values.size();
-    const auto rank = static_cast<std::size_t>(std::ceil(0.95 * static_cast<double>(n)));
-    return {(values[(n - 1) / 2] + values[n / 2]) / 2, values[rank - 1], values.front()};
-}
-
-Statistics over(const TimingsReport& report, const std::function<double(const FrameTimes&)>& value) {
+TimeStatistics over(const TimingsReport& report, const std::function<double(const FrameTimes&)>& value) {
     std::vector<double> values;
     for (const FrameTimes& frame : report.frames) values.push_back(value(frame));
-    return statistics(std::move(values));
+    return timeStatistics(std::move(values));
 }
 
 double gpuSum(const FrameTimes& frame) {
@@ -46,8 +33,8 @@ double gpuSum(const FrameTimes& frame) {
 /// A line of the report: a pass, or one of the rows around them.
 struct Row {
     std::string name;
-    Statistics gpu;
-    Statistics cpu;
+    TimeStatistics gpu;
+    TimeStatistics cpu;
     std::size_t ran = 0;  ///< frames in which a pass ran; its statistics are of these
 };
 
@@ -60,7 +47,7 @@ Row passRow(const TimingsReport& report, std::size_t pass) {
         cpu.push_back(frame.passes[pass].cpuMs);
     }
     const std::size_t ran = gpu.size();
-    return {report.passes[pass], statistics(std::move(gpu)), statistics(std::move(cpu)), ran};
+    return {report.passes[pass], timeStatistics(std::move(gpu)), timeStatistics(std::move(cpu)), ran};
 }
 
 std::vector<Row> passRows(const TimingsReport& report) {
@@ -88,7 +75,7 @@ std::vector<Row> frameRows(const TimingsReport& report) {
             {"waiting", {}, over(report, [](const FrameTimes& f) { return f.waitMs; }), 0}};
 }
 
-Json::Value asJson(const Statistics& statistics) {
+Json::Value asJson(const TimeStatistics& statistics) {
     Json::Value value;
     value["median"] = statistics.median;
     value["p95"] = statistics.p95;

@@ -36,6 +36,13 @@ std::optional<fs::path> root() {
     return std::nullopt;
 }
 
+fs::path modelsBeside(const fs::path& folder) {
+    if (const char* variable = std::getenv("NEPHRITE_MODELS"); variable != nullptr) return variable;
+    const fs::path shared = (folder / ".." / "shared" / "models").lexically_normal();
+    std::error_code ignored;
+    return fs::is_directory(shared, ignored) ? shared : fs::path();
+}
+
 }  // namespace
 
 DataFolders DataFolders::find() {
@@ -45,7 +52,7 @@ DataFolders DataFolders::find() {
             "the folders passes/ and shaders/ were not found: set NEPHRITE_DATA to the folder that holds "
             "them");
     return {*folder / "passes", *folder / "shaders", *folder / "graphs" / "materials",
-            *folder / "graphs" / "scenes" / "default.json"};
+            *folder / "graphs" / "scenes" / "default.json", modelsBeside(*folder)};
 }
 
 }  // namespace nephrite::runtime

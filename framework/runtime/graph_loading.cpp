@@ -31,6 +31,7 @@ scene::Scene loadScene(const std::filesystem::path& file, double time, const Dat
     scene::SceneOptions options;
     options.time = time;
     options.materialFolder = folders.materials;
+    options.modelFolder = folders.models;
     return scene::Scene::load(file.empty() ? folders.defaultScene : file, options);
 }
 

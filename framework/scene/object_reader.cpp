@@ -23,13 +23,30 @@ constexpr double largestScale = 1e6;
 constexpr NumberRule scaleRule{"a scale greater than 0 and at most 1e6", 1 / largestScale / largestScale,
                                largestScale};
 
-void readMesh(const Value& value, const std::filesystem::path& folder, MeshDescription& mesh,
+void readModel(const Value& value, const std::filesystem::path& models, MeshDescription& mesh,
+               Diagnostics& diagnostics) {
+    ObjectReader object(value, "a model", keys::model(), diagnostics);
+    const auto model = object.optional("model");
+    object.finish();
+    const auto file = model->string(diagnostics, "a mesh file's name");
+    if (!file) return;
+    if (models.empty())
+        return diagnostics.error(
+            model->where(),
+            fmt::format("the model {} is not part of Nephrite: set NEPHRITE_MODELS to the folder that has it",
+                        inQuotes(*file)));
+    mesh.file = resolvePath(*file, models);
+}
+
+void readMesh(const Value& value, const MeshFolders& folders, MeshDescription& mesh,
               Diagnostics& diagnostics) {
     mesh.where = value.where();
-    if (value.isObject())
+    if (value.isObject() && value.find("model"))
+        readModel(value, folders.models, mesh, diagnostics);
+    else if (value.isObject())
         mesh.procedural = value;
     else if (const auto file = value.string(diagnostics, "a mesh file's name or {\"procedural\": ...}"))
-        mesh.file = resolvePath(*file, folder);
+        mesh.file = resolvePath(*file, folders.scene);
 }
 
 void readMapping(ObjectReader& object, MeshDescription& mesh) {
@@ -169,13 +186,12 @@ class AnimationReader {
 
 }  // namespace
 
-ObjectDescription readObject(const Value& value, const std::filesystem::path& folder,
-                             double millimetersPerUnit, const MaterialLookup& materialOf,
-                             Diagnostics& diagnostics) {
+ObjectDescription readObject(const Value& value, const MeshFolders& folders, double millimetersPerUnit,
+                             const MaterialLookup& materialOf, Diagnostics& diagnostics) {
     ObjectReader object(value, "an object", keys::object(), diagnostics);
     ObjectDescription description;
     description.where = value.where();
-    if (const auto mesh = object.optional("mesh")) readMesh(*mesh, folder, description.mesh, diagnostics);
+    if (const auto mesh = object.optional("mesh")) readMesh(*mesh, folders, description.mesh, diagnostics);
     if (const auto material = object.optional("material"))
         if (const auto index = materialOf(*material)) description.material = *index;
     readMapping(object, description.mesh);

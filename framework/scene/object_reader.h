@@ -12,10 +12,14 @@ namespace nephrite::scene {
 /// The index of the material that an object's "material" value names (or is), or nothing with a fault.
 using MaterialLookup = std::function<std::optional<std::uint32_t>(const json::Value&)>;
 
-/// Reads one member of "objects". Mesh files are relative to `folder`; lengths are multiplied by
-/// `millimetersPerUnit`.
-ObjectDescription readObject(const json::Value& value, const std::filesystem::path& folder,
-                             double millimetersPerUnit, const MaterialLookup& materialOf,
-                             Diagnostics& diagnostics);
+/// Where mesh files are.
+struct MeshFolders {
+    std::filesystem::path scene;   ///< what relative paths start from
+    std::filesystem::path models;  ///< as SceneOptions::modelFolder
+};
+
+/// Reads one member of "objects"; lengths are multiplied by `millimetersPerUnit`.
+ObjectDescription readObject(const json::Value& value, const MeshFolders& folders, double millimetersPerUnit,
+                             const MaterialLookup& materialOf, Diagnostics& diagnostics);
 
 }  // namespace nephrite::scene

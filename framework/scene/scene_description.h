@@ -136,6 +136,7 @@ struct SceneDescription {
 struct SceneOptions {
     std::filesystem::path materialFolder;  ///< of the presets, NAME.json each
     double time = 0;                       ///< seconds; the time Scene::facts() speaks of
+    std::filesystem::path modelFolder{};   ///< of meshes that are not part of the project; empty: not at hand
 };
 
 /// Reads a scene file. Adds every fault and warning (no light, no object) to `diagnostics`; a description

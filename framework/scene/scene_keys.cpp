@@ -84,8 +84,8 @@ constexpr Key textureKeys[] = {
 };
 
 constexpr Key objectKeys[] = {
-    {"mesh", R"({"$ref": "#/definitions/mesh"})", "A PLY, OBJ, glTF or GLB file, or a procedural shape.",
-     true},
+    {"mesh", R"({"$ref": "#/definitions/mesh"})",
+     "A PLY, OBJ, glTF or GLB file, a model of the folder $NEPHRITE_MODELS, or a procedural shape.", true},
     {"material", R"({"$ref": "#/definitions/materialOrPreset"})",
      "A material's name, a preset's name, or a material.", true},
     {"uv", R"({"enum": ["file", "box", "spherical"]})",
@@ -93,6 +93,10 @@ constexpr Key objectKeys[] = {
     {"transform", R"({"$ref": "#/definitions/transform"})", "Where the object is."},
     {"animation", R"({"$ref": "#/definitions/animations"})",
      "How it moves: one animation or an array of them."},
+};
+
+constexpr Key modelKeys[] = {
+    {"model", R"({"type": "string"})", "A mesh file in the folder that NEPHRITE_MODELS names.", true},
 };
 
 constexpr Key transformKeys[] = {
@@ -150,6 +154,9 @@ std::span<const Key> texture() {
 }
 std::span<const Key> object() {
     return objectKeys;
+}
+std::span<const Key> model() {
+    return modelKeys;
 }
 std::span<const Key> transform() {
     return transformKeys;

@@ -18,6 +18,7 @@ std::span<const json::Key> layer();
 std::span<const json::Key> texture();
 
 std::span<const json::Key> object();
+std::span<const json::Key> model();
 std::span<const json::Key> transform();
 std::span<const json::Key> clip();
 std::span<const json::Key> rotation();

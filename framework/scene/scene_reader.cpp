@@ -28,6 +28,7 @@ class SceneReader {
         : root_(value, "a scene", keys::scene(), diagnostics),
           presets_(options.materialFolder),
           folder_(std::filesystem::path(value.where().file).parent_path()),
+          models_(options.modelFolder),
           diagnostics_(diagnostics) {
         scene_.file = value.where().file;
     }
@@ -212,8 +213,8 @@ class SceneReader {
         if (!objects || !isArray(*objects, "objects")) return;
         const MaterialLookup lookup = [this](const Value& value) { return use(value); };
         for (std::size_t i = 0; i < objects->size(); ++i)
-            scene_.objects.push_back(
-                readObject(objects->at(i), folder_, scene_.millimetersPerUnit, lookup, diagnostics_));
+            scene_.objects.push_back(readObject(objects->at(i), {folder_, models_}, scene_.millimetersPerUnit,
+                                                lookup, diagnostics_));
     }
 
     bool isArray(const Value& value, std::string_view what) {
@@ -238,6 +239,7 @@ class SceneReader {
     ObjectReader root_;
     PresetFolder presets_;
     std::filesystem::path folder_;
+    std::filesystem::path models_;
     Diagnostics& diagnostics_;
     SceneDescription scene_;
     std::map<std::string, MaterialDescription> named_;

@@ -17,7 +17,7 @@ constexpr std::string_view valueDefinitions = R"({
     "coefficient": {"anyOf": [{"$ref": "#/definitions/color"}, {"$ref": "#/definitions/texture"}]},
     "thickness": {"anyOf": [{"type": "null"}, {"type": "number", "minimum": 0}, {"$ref": "#/definitions/texture"}]},
     "materialOrPreset": {"anyOf": [{"type": "string"}, {"$ref": "#/definitions/material"}]},
-    "mesh": {"anyOf": [{"type": "string"}, {"$ref": "#/definitions/procedural"}]},
+    "mesh": {"anyOf": [{"type": "string"}, {"$ref": "#/definitions/model"}, {"$ref": "#/definitions/procedural"}]},
     "procedural": {
         "type": "object", "required": ["procedural"], "additionalProperties": false,
         "properties": {
@@ -60,6 +60,7 @@ std::string sceneSchema() {
     definitions["texture"] =
         json::objectSchema(keys::texture(), "An image looked up at the texture coordinates.");
     definitions["object"] = json::objectSchema(keys::object(), "A mesh with a material at a place.");
+    definitions["model"] = json::objectSchema(keys::model(), "A mesh that is not part of the project.");
     definitions["transform"] =
         json::objectSchema(keys::transform(), "fit, scale, rotate and translate, in this order.");
     definitions["clip"] = json::objectSchema(keys::clip(), "An animation of a glTF file.");

@@ -119,6 +119,17 @@ TEST(SceneReader, PathsAreRelativeToTheNamingFile) {
     EXPECT_EQ(scene.objects[0].mesh.file, "some/where/models/a.ply");
 }
 
+TEST(SceneReader, ModelsAreInAFolderOfTheirOwn) {
+    const json::Value value = json::parse(
+        "{" + anyCamera + R"(, "objects": [{"mesh": {"model": "bunny.ply"}, "material": "apple"}]})",
+        "some/where/scene.json");
+    Diagnostics diagnostics;
+    const SceneDescription scene = readScene(value, {test::presetFolder, 0, "models"}, diagnostics);
+    EXPECT_THAT(test::errorLines(diagnostics), IsEmpty());
+    EXPECT_EQ(scene.objects[0].mesh.file, "models/bunny.ply");
+    EXPECT_FALSE(scene.objects[0].mesh.procedural.has_value());
+}
+
 TEST(SceneReader, OnlyMaterialsInUseCountEachOnce) {
     const SceneDescription scene = readGood("{" + anyCamera + R"(,
         "materials": {"a": "skin1", "unused": {"diffuse": [1, 1, 1]}},
@@ -255,6 +266,10 @@ TEST(SceneReaderFault, Objects) {
     expectMemberFault(
         "\"materials\": {\"clay\": {}}, \"objects\": [{\"mesh\": \"a.ply\", \"material\": @\"claay\"}]",
         "no material or preset is called \"claay\", did you mean \"clay\"?");
+    expectMemberFault("\"objects\": [{\"mesh\": {\"model\": @\"bunny.ply\"}, \"material\": \"apple\"}]",
+                      "set NEPHRITE_MODELS to the folder that has it");
+    expectMemberFault("\"objects\": [{\"mesh\": {\"model\": @7}, \"material\": \"apple\"}]",
+                      "mesh file's name");
     expectObjectFault("\"uv\": @\"sphere\"", "expected a texture mapping (\"file\", \"box\", \"spherical\")");
     expectObjectFault("\"transform\": {\"scale\": @0}", "a scale greater than 0");
     expectObjectFault("\"transform\": {\"scale\": [1, @-1, 1]}", "a scale greater than 0");

@@ -125,6 +125,7 @@ TEST(SceneSchema, RefusesWhatTheReaderRefuses) {
           "{" + camera + R"(, "materials": {"m": {"g": 2}}})",
           "{" + camera +
               R"(, "materials": {"m": {"layers": [{"absorption": [0, -1, 0], "scattering": [1, 1, 1]}]}}})",
+          "{" + camera + R"(, "objects": [{"mesh": {"model": 7}, "material": "apple"}]})",
           "{" + camera + R"(, "objects": [{"mesh": {"procedural": "spheer"}, "material": "apple"}]})",
           "{" + camera +
               R"(, "objects": [{"mesh": "a.ply", "material": "apple", "transform": {"scale": 0}}]})",

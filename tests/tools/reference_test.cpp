@@ -70,7 +70,7 @@ TEST(Reference, ContinuesAfterCtrlC) {
     const std::string run = reference("--mode volume --spp 24 ");
     ASSERT_EQ(place.run(run + "-o whole.exr").status, 0);
     const std::string interrupt = "cd '" + place.path().string() +
-                                  "' && timeout -s INT 0.5 '" NEPHRITE_PROGRAM "' " + run +
+                                  "' && timeout --foreground -s INT 0.5 '" NEPHRITE_PROGRAM "' " + run +
                                   "-o out.exr 2> errors; echo $? > status";
     ASSERT_EQ(std::system(interrupt.c_str()), 0);
     if (!place.isThere("out.exr")) {

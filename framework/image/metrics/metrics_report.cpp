@@ -1,11 +1,11 @@
 // Writes metrics down, for programs and for people.
-#include "metrics_report.h"
+#include "image/metrics/metrics_report.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
-namespace nephrite::tools {
+namespace nephrite::image {
 namespace {
 
 Json::Value numberOrNull(double value) {
@@ -31,14 +31,14 @@ std::string line(std::string_view name, double value, std::string_view remark = 
     return fmt::format("{:<18}{:>13}{}{}\n", name, numberOrDash(value), remark.empty() ? "" : "  ", remark);
 }
 
-std::string flipRemark(const image::FlipError& flip) {
+std::string flipRemark(const FlipError& flip) {
     return fmt::format("HDR-FLIP, ACES tone map, {} exposures from 2^{:.3f} to 2^{:.3f}", flip.exposures,
                        flip.startExposure, flip.stopExposure);
 }
 
 }  // namespace
 
-Json::Value toJson(const image::Metrics& metrics) {
+Json::Value toJson(const Metrics& metrics) {
     Json::Value json;
     json["rmse"] = numberOrNull(metrics.rmse);
     json["mae"] = numberOrNull(metrics.mae);
@@ -64,7 +64,7 @@ Json::Value toJson(const image::Metrics& metrics) {
     return json;
 }
 
-std::string toTable(const image::Metrics& metrics) {
+std::string toTable(const Metrics& metrics) {
     std::string text = fmt::format("{:<18}{:>13}{:>13}{:>13}\n", "", "red", "green", "blue");
     text += line("relRMSE", metrics.relRmse);
     if (metrics.unbiased) text += line("unbiased relRMSE", metrics.unbiased->relRmse);
@@ -82,4 +82,4 @@ std::string toTable(const image::Metrics& metrics) {
     return text;
 }
 
-}  // namespace nephrite::tools
+}  // namespace nephrite::image

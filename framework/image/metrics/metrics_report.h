@@ -7,13 +7,13 @@
 
 #include "image/metrics/metrics.h"
 
-namespace nephrite::tools {
+namespace nephrite::image {
 
 /// The keys of docs/comparing.md, those of the pictures' sizes left out. What has no finite value is null;
 /// what was not measured is absent.
-Json::Value toJson(const image::Metrics& metrics);
+Json::Value toJson(const Metrics& metrics);
 
 /// The same for readers, a line each.
-std::string toTable(const image::Metrics& metrics);
+std::string toTable(const Metrics& metrics);
 
-}  // namespace nephrite::tools
+}  // namespace nephrite::image
