@@ -8,6 +8,7 @@ void addBenchVerb(CLI::App& app, Action& action) {
     bench->require_subcommand(1);
     addBenchCompile(*bench, action);
     addBenchStress(*bench, action);
+    addBenchPareto(*bench, action);
 }
 
 }  // namespace nephrite::tools
