@@ -1,0 +1,25 @@
+#!/usr/bin/env bash
+# Measures every method of graphs/suites/subsurface.json against its references, and puts the table and the plot into
+# docs/results and README.md. Arguments go to `nephrite bench pareto`. References are kept in out/results/references and used
+# again; the first run takes about two hours on two cores, later ones a quarter of an hour.
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/environment.sh"
+
+tools/setup.sh
+cmake --preset release
+cmake --build --preset release --target nephrite
+
+results=out/results
+mkdir -p "$results" docs/results
+build/release/nephrite bench pareto graphs/suites/subsurface.json -o "$results" "$@"
+cp "$results"/table.md "$results"/pareto.csv "$results"/passes.csv "$results"/pareto.svg docs/results/
+
+# The table stands between two comments of the README.
+awk '
+    FNR == NR { table = table $0 "\n"; next }
+    /<!-- results: begin -->/ { print; printf "%s", table; inside = 1; next }
+    /<!-- results: end -->/ { inside = 0 }
+    !inside { print }
+' "$results/table.md" README.md > README.md.new
+mv README.md.new README.md
+echo "results: docs/results and the table of README.md are new"
