@@ -7,6 +7,7 @@ void addBenchVerb(CLI::App& app, Action& action) {
     CLI::App* bench = app.add_subcommand("bench", "Measure Nephrite itself");
     bench->require_subcommand(1);
     addBenchCompile(*bench, action);
+    addBenchPareto(*bench, action);
 }
 
 }  // namespace nephrite::tools

@@ -6,5 +6,6 @@
 namespace nephrite::tools {
 
 void addBenchCompile(CLI::App& bench, Action& action);
+void addBenchPareto(CLI::App& bench, Action& action);
 
 }  // namespace nephrite::tools

@@ -1,0 +1,66 @@
+// Combinations of values, and patterns.
+#include "pareto/points.h"
+
+#include <fmt/format.h>
+#include <fnmatch.h>
+
+#include <algorithm>
+
+namespace nephrite::pareto {
+namespace {
+
+bool hasAll(const SuiteScene& scene, const std::vector<truth::Mode>& modes) {
+    return std::all_of(modes.begin(), modes.end(),
+                       [&](truth::Mode mode) { return scene.find(mode) != nullptr; });
+}
+
+void append(std::vector<Point>& points, std::vector<Point> more) {
+    points.insert(points.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+}
+
+}  // namespace
+
+std::vector<Point> pointsOf(const Method& method) {
+    std::vector<Point> points{{&method, method.name, {}, method.settings, true}};
+    for (const Variation& variation : method.variations) {
+        std::vector<Point> varied;
+        for (const Point& point : points) {
+            for (const std::string& value : variation.values) {
+                Point& next = varied.emplace_back(point);
+                next.name += fmt::format(" {}={}", variation.parameter, value);
+                next.parameters.emplace_back(variation.parameter, value);
+                next.settings.push_back(fmt::format("{}={}", variation.parameter, value));
+            }
+        }
+        points = std::move(varied);
+    }
+    for (std::size_t i = 1; i < points.size(); ++i) points[i].isFirst = false;
+    return points;
+}
+
+Selection::Selection(std::string_view pattern) : pattern_(pattern) {
+    if (pattern_.find('/') == std::string::npos) pattern_ += pattern_.empty() ? "*/*" : "/*";
+}
+
+bool Selection::has(const SuiteScene& scene, const Method& method) const {
+    const std::string name = scene.name + "/" + method.name;
+    return fnmatch(pattern_.c_str(), name.c_str(), FNM_PATHNAME | FNM_NOESCAPE) == 0;
+}
+
+std::vector<Point> pointsOf(const Suite& suite, const SuiteScene& scene, const Selection& selection) {
+    std::vector<Point> points;
+    bool isTimed = false;
+    for (const Method& method : suite.methods) {
+        if (method.name == suite.baseline || !selection.has(scene, method)) continue;
+        if (!method.isTimed() && !hasAll(scene, method.references)) continue;
+        isTimed = isTimed || method.isTimed();
+        append(points, pointsOf(method));
+    }
+    const Method* baseline = suite.find(suite.baseline);
+    if (baseline == nullptr || !(isTimed || selection.has(scene, *baseline))) return points;
+    std::vector<Point> all = pointsOf(*baseline);
+    append(all, std::move(points));
+    return all;
+}
+
+}  // namespace nephrite::pareto
