@@ -5,35 +5,43 @@
 
 #include "surface.glsl"
 
-/// Whether a texel of the light's view leaves a point at `range` mm from the light lit. Nothing there: lit.
-float texelPasses(ivec2 texel, int view, vec3 lightPoint, float range) {
+/// A point that a light may see, and how far another may lie before it without casting a shadow.
+struct LitPoint {
+    vec3 position;  // mm
+    vec3 toLight;   // mm
+    float bias;     // mm
+};
+
+/// Whether a texel of the light's view leaves a point lit. Nothing there: lit. The difference of the two distances to the
+/// light is (a^2 - b^2)/(a + b), which keeps its digits where the light is far away.
+float texelPasses(ivec2 texel, int view, LitPoint point) {
     vec4 occluder = loadLayer(lightPosition, texel, view);
-    return occluder.w == 0.0 || range <= distance(occluder.xyz, lightPoint) ? 1.0 : 0.0;
+    vec3 between = occluder.xyz - point.position;
+    vec3 occluderToLight = point.toLight - between;
+    float behind = dot(between, point.toLight + occluderToLight) / (length(point.toLight) + length(occluderToLight));
+    return occluder.w == 0.0 || !(behind > point.bias) ? 1.0 : 0.0;
 }
 
 /// The part of a light that a point sees, 0..1: percentage-closer filtering (Reeves, Salesin and Cook 1987) over the four
-/// nearest texels of the light's view. `distanceToLight` in mm, `cosine` of the light's direction to the normal.
+/// nearest texels of the light's view. `cosine` of the light's direction to the normal.
 /// The bias is `shadowBias` texel widths, more at grazing light, where one texel spans a greater range of distances.
-float lightVisibility(uint light, vec3 point, float distanceToLight, float cosine, float shadowBias) {
+float lightVisibility(uint light, vec3 point, vec3 toLight, float cosine, float shadowBias) {
     if (cosine <= 0.0) return 0.0;
     LightTexel seen = lightTexelOf(light, point);
     if (!seen.inside) return 1.0;
 
     vec2 size = vec2(extent(lightPosition));
-    float texelWidth = 2.0 * distanceToLight * lightViews[seen.view].tanHalfFovY / size.y;
+    float texelWidth = 2.0 * length(toLight) * lightViews[seen.view].tanHalfFovY / size.y;
     float sine = sqrt(max(0.0, 1.0 - cosine * cosine));
-    float range = distanceToLight - shadowBias * texelWidth * (1.0 + sine / max(cosine, 0.1));
+    LitPoint lit = LitPoint(point, toLight, shadowBias * texelWidth * (1.0 + sine / max(cosine, 0.1)));
 
     vec2 at = seen.uv * size - 0.5;
     vec2 corner = floor(at);
     vec2 mixing = at - corner;
     ivec2 texel = ivec2(corner);
     int view = int(seen.view);
-    vec3 lightPoint = lights[light].position;
-    float upper = mix(texelPasses(texel, view, lightPoint, range),
-                      texelPasses(texel + ivec2(1, 0), view, lightPoint, range), mixing.x);
-    float lower = mix(texelPasses(texel + ivec2(0, 1), view, lightPoint, range),
-                      texelPasses(texel + ivec2(1, 1), view, lightPoint, range), mixing.x);
+    float upper = mix(texelPasses(texel, view, lit), texelPasses(texel + ivec2(1, 0), view, lit), mixing.x);
+    float lower = mix(texelPasses(texel + ivec2(0, 1), view, lit), texelPasses(texel + ivec2(1, 1), view, lit), mixing.x);
     return mix(upper, lower, mixing.y);
 }
 
@@ -50,7 +58,7 @@ ArrivingLight arrivingLight(uint light, vec3 point, vec3 normal, float shadowBia
     float squaredDistance = dot(toLight, toLight);
     vec3 direction = unitOrZero(toLight);
     float cosine = max(dot(normal, direction), 0.0);
-    float visibility = lightVisibility(light, point, sqrt(squaredDistance), cosine, shadowBias);
+    float visibility = lightVisibility(light, point, toLight, cosine, shadowBias);
     vec3 irradiance = squaredDistance > 0.0
                           ? lights[light].intensity * (cosine * visibility / squaredDistance)
                           : vec3(0.0);

@@ -77,10 +77,11 @@ LightTexel lightTexelOf(uint light, vec3 worldPosition) {
     vec3 d = worldPosition - lights[light].position;
     bool cube = lights[light].viewCount == 6u;
     uint index = lights[light].firstView + (cube ? scene_cubeFace(d) : 0u);
-    float depth = dot(d, lightViews[index].forward);
-    if (!(depth > 0.0)) return LightTexel(false, index, vec2(0.5));
-    vec2 slope = vec2(dot(d, lightViews[index].right), -dot(d, lightViews[index].up)) / depth;
-    vec2 uv = 0.5 + 0.5 * slope / vec2(lightViews[index].tanHalfFovX, lightViews[index].tanHalfFovY);
+    // By the matrix, whose last column is rounded once: of a light far away worldPosition - position would lose what a
+    // texel is wide.
+    vec4 clip = lightViews[index].viewProjection * vec4(worldPosition, 1.0);
+    if (!(clip.w > 0.0)) return LightTexel(false, index, vec2(0.5));
+    vec2 uv = 0.5 + 0.5 * clip.xy / clip.w;
     if (cube) return LightTexel(true, index, clamp(uv, 0.0, 1.0));
     return LightTexel(all(greaterThanEqual(uv, vec2(0.0))) && all(lessThanEqual(uv, vec2(1.0))), index, uv);
 }
