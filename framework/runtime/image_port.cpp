@@ -63,7 +63,7 @@ vec4 sampleLayer_@NAME@(vec2 uv, int layer) { return filter_@NAME@(uv, @LAYER@, 
 
 constexpr std::string_view put = R"(
 void put_@NAME@(ivec2 p, int layer, int level, @VECTOR@ value) {
-    switch (level) {
+@LIMIT@    switch (level) {
 @STORES@    }
 }
 )";
@@ -103,7 +103,9 @@ ivec2 size_@NAME@(int level) { return max(imageSize(above_@NAME@_0).xy >> level,
 ivec2 extent_@NAME@() { return size_@NAME@(0); }
 int levels_@NAME@() { return @LEVELS@; }
 int layers_@NAME@() { return @LAYERS@; }
-void put_@NAME@(ivec2 p, int layer, @VECTOR@ value) { imageStore(output_@NAME@_0, @COORDINATE@, value); }
+void put_@NAME@(ivec2 p, int layer, @VECTOR@ value) {
+@LIMIT@    imageStore(output_@NAME@_0, @COORDINATE@, value);
+}
 void store_@NAME@(ivec2 p, @VECTOR@ value) { put_@NAME@(p, @FIRST@, value); }
 void storeLayer_@NAME@(ivec2 p, int layer, @VECTOR@ value) { put_@NAME@(p, @LAYER@, value); }
 @VECTOR@ fetch_@NAME@(ivec2 p, int layer, int level) {
@@ -123,8 +125,32 @@ constexpr std::string_view attachmentExtent = R"(
 ivec2 extent_@NAME@() { return ivec2(dispatch.width, dispatch.height); }
 )";
 constexpr std::string_view attachmentStore = R"(
-void store_@NAME@(ivec2 p, @VECTOR@ value) { output_@NAME@ = value; }
+void store_@NAME@(ivec2 p, @VECTOR@ value) {
+@LIMIT@    output_@NAME@ = value;
+}
 )";
+
+/// Where a bright value exceeds what a short float holds, devices may store infinity, and 0 times that is no
+/// number. What is infinite already stays, so that it is not taken for light.
+std::string limitTo(float greatest) {
+    return fmt::format(
+        "    value = mix(value, clamp(value, vec4(-{0:.1f}), vec4({0:.1f})), "
+        "lessThan(abs(value), vec4(3.4e38)));\n",
+        greatest);
+}
+
+std::string limitOf(graph::Format format) {
+    switch (format) {
+        case graph::Format::r16f:
+        case graph::Format::rg16f:
+        case graph::Format::rgba16f:
+            return limitTo(65504);
+        case graph::Format::r11g11b10f:
+            return limitTo(64512);
+        default:
+            return {};
+    }
+}
 
 }  // namespace
 
@@ -224,6 +250,7 @@ std::string ImagePort::fill(std::string_view text, const std::string& output) co
                    {"LAYER", layer("layer")},
                    {"LAYERS", std::to_string(perIteration_ ? image_.layersPerIteration : image_.layers)},
                    {"LEVELS", std::to_string(image_.mips)},
+                   {"LIMIT", limitOf(image_.format)},
                    {"STORES", storeCases},
                    {"FETCHES", fetchCases},
                    {"ABOVE", aboveCases}});

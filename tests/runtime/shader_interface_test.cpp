@@ -2,6 +2,7 @@
 // every parameter type, mips, layers, buffers, integers, neutral inputs, for both ways of reading images.
 #include <gtest/gtest.h>
 
+#include "runtime/image_port.h"
 #include "runtime/session.h"
 #include "scratch_folder.h"
 
@@ -164,6 +165,31 @@ TEST_P(ShaderInterface, KeepsUnsignedIntegersExact) {
         R"("integers": {"pass": "integers"}, "node": {"pass": "look", "in": {"value": "integers.value"}})",
         "node.color");
     EXPECT_EQ(pixel(session, 5, 0), (Values{65525, 65535, 0, 0}));
+}
+
+/// Devices may store infinity for what a short float does not hold.
+TEST_P(ShaderInterface, BrightValuesStayWithinShortFloats) {
+    addPass("bright", "pixel", R"("outputs": {"color": {"format": "rgba16f"}})",
+            "void pixel(ivec2 p) { store(color, p, vec4(1e6, -1e30, 65519.0, 0.25)); }");
+    Session session = render(R"("bright": {"pass": "bright"})", "bright.color");
+    EXPECT_EQ(pixel(session, 1, 2), (Values{65504, -65504, 65504, 0.25}));
+}
+
+TEST(ImagePort, LimitsWhatItStoresToItsFormat) {
+    const auto stores = [](graph::Format format) {
+        const ImagePort port("color", {format}, false);
+        return port.outputFunctions(OutputAccess::Write) + port.outputFunctions(OutputAccess::Mips) +
+               port.attachmentFunctions();
+    };
+    const auto count = [](const std::string& text, const std::string& word) {
+        std::size_t found = 0;
+        for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++found;
+        return found;
+    };
+    EXPECT_EQ(count(stores(graph::Format::rgba16f), "vec4(65504.0)"), 3U);
+    EXPECT_EQ(count(stores(graph::Format::r11g11b10f), "vec4(64512.0)"), 3U);
+    EXPECT_EQ(count(stores(graph::Format::rgba32f), "clamp(value"), 0U);
+    EXPECT_EQ(count(stores(graph::Format::r32u), "clamp(value"), 0U);
 }
 
 TEST_P(ShaderInterface, UnconnectedInputsAreTheirNeutralValue) {
