@@ -52,6 +52,21 @@ TEST(BetterDipole, HasTheTotalAndFractionsOfItsIntegral) {
     }
 }
 
+/// Without absorption the difference of two fluences is summed over a plane: (z_v - z_r) 2 pi, of terms as
+/// long as the radius.
+TEST(BetterDipole, KeepsTheDigitsOfFractionsFarOut) {
+    for (const Medium& medium : {Medium{0, 1, 0, 1.3}, Medium{1e-12, 1, 0, 1}}) {
+        const BetterDipole dipole(medium);
+        EXPECT_NEAR(dipole.fractionWithin(1e10), 1, 1e-9);
+        EXPECT_NEAR(dipole.fractionWithin(1e15), 1, 1e-14);
+        double last = 0;
+        for (const double radius : logarithmicEdges(1e-3, 1e15, 4)) {
+            EXPECT_GE(dipole.fractionWithin(radius), last - 1e-15) << radius;
+            last = dipole.fractionWithin(radius);
+        }
+    }
+}
+
 TEST(PhotonBeamDiffusion, HasTheTotalAndFractionsOfItsIntegral) {
     for (const Medium& medium : {apple, dark}) {
         const double unit = 1 / reducedExtinction(medium);

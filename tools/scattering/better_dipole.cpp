@@ -58,13 +58,24 @@ double MirroredSource::total() const {
     return fluenceTotal() + fluxTotal();
 }
 
+double MirroredSource::fluenceWithin(double radius) const {
+    const double nearest = std::hypot(radius, real_.depth), farthest = std::hypot(radius, mirrored_.depth);
+    if (radius < mirrored_.depth) {
+        const auto within = [&](const DepthSource& source, double distance) {
+            const double farther = radius * (radius / (distance + source.depth));
+            return source.total() * decayedLength(source.decay, farther);
+        };
+        return within(real_, nearest) - within(mirrored_, farthest);
+    }
+    // Far out both are almost as long as the radius; what they differ by is what their ends do.
+    const double length = mirrored_.depth - real_.depth;
+    const double lengthThere = length * ((real_.depth + mirrored_.depth) / (nearest + farthest));
+    return real_.total() * decayedLength(real_.decay, length) -
+           std::exp(-real_.decay * nearest) * decayedLength(real_.decay, lengthThere);
+}
+
 double MirroredSource::within(double radius) const {
-    const auto fluence = [&](const DepthSource& source) {
-        const double distance = std::hypot(radius, source.depth);
-        const double farther = radius * (radius / (distance + source.depth));
-        return source.total() * decayedLength(source.decay, farther);
-    };
-    const double fromFluence = (fluence(real_) - fluence(mirrored_)) / (2 * medium_.diffusion);
+    const double fromFluence = fluenceWithin(radius) / (2 * medium_.diffusion);
     const double fromFlux = (real_.within(radius) + mirrored_.within(radius)) / 2;
     return medium_.fluenceShare * fromFluence + medium_.fluxShare * fromFlux;
 }

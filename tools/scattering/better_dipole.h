@@ -38,6 +38,8 @@ class MirroredSource {
 
   private:
     double fluenceTotal() const;
+    /// Integral of the difference of the two fluences over the surface up to `radius`, over 2 pi, mm.
+    double fluenceWithin(double radius) const;
     double fluxTotal() const;
 
     GrosjeanDiffusion medium_;
