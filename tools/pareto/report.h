@@ -20,7 +20,8 @@ std::string passesAsCsv(const SuiteResult& result);
 std::string resultsAsTable(const SuiteResult& result);
 
 /// A gnuplot script with its data: time over error, a panel for each scene and reference, the front as a
-/// stair line. `gnuplot pareto.gp > pareto.svg`, or `gnuplot -e 'format="png"' pareto.gp > pareto.png`.
+/// stair line. Empty if nothing was both timed and compared. `gnuplot pareto.gp > pareto.svg`, or
+/// `gnuplot -e 'format="png"' pareto.gp > pareto.png`.
 std::string resultsAsPlot(const SuiteResult& result);
 
 }  // namespace nephrite::pareto

@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 
 #include "pareto/plot_panels.h"
 #include "pareto/report.h"
@@ -14,7 +15,7 @@ namespace {
 constexpr int panelWidth = 440;
 constexpr int panelHeight = 340;
 constexpr int panelsAcross = 2;
-constexpr int titleHeight = 50;
+constexpr int titleHeight = 70;
 constexpr PanelMetrics metrics{panelWidth - 75, panelHeight - 85, 6.5, 14};
 
 /// Colours that remain apart for most who cannot tell red from green (Okabe and Ito 2008).
@@ -115,13 +116,13 @@ std::string header(const SuiteResult& result, int across, int down) {
         "set title noenhanced\n";
     for (std::size_t i = 0; i < colors.size(); ++i)
         text += fmt::format("set linetype {} lc rgb '{}'\n", i + 1, colors[i]);
+    const std::string title = quoted(fmt::format("{}, {} x {} pixels, commit {}", result.suite, result.width,
+                                                 result.height, result.commit)) +
+                              R"(."\n".)" + quoted(fmt::format("{}, {}", result.device, result.driver)) +
+                              R"(."\n".)" + quoted(variationsOf(result));
     return text +
-           fmt::format(
-               "set linetype cycle {}\nset multiplot layout {},{} title {}.'\\n'.{} noenhanced font ',11'\n",
-               colors.size(), down, across,
-               quoted(fmt::format("{}, {}x{}, {}, {}, commit {}", result.suite, result.width, result.height,
-                                  result.device, result.driver, result.commit)),
-               quoted(variationsOf(result)));
+           fmt::format("set linetype cycle {}\nset multiplot layout {},{} title {} noenhanced font ',11'\n",
+                       colors.size(), down, across, title);
 }
 
 }  // namespace
