@@ -15,6 +15,10 @@ build/release/nephrite bench pareto graphs/suites/subsurface.json -o "$results" 
 cp "$results"/table.md "$results"/pareto.csv "$results"/passes.csv "$results"/pareto.svg docs/results/
 
 # The table stands between two comments of the README.
+if [[ $(grep -cE '^<!-- results: (begin|end) -->$' README.md) -ne 2 ]]; then
+    echo "results: README.md lacks the comments that the table goes between" >&2
+    exit 1
+fi
 awk '
     FNR == NR { table = table $0 "\n"; next }
     /<!-- results: begin -->/ { print; printf "%s", table; inside = 1; next }
