@@ -27,6 +27,7 @@ struct ReferenceArguments {
     std::uint32_t samples = 16;
     std::uint64_t seed = 1;
     std::uint32_t fluxPoints = 1 << 20;
+    std::uint32_t photons = 1 << 16;
     unsigned threads = 0;
     double time = 0;
 };
@@ -63,7 +64,8 @@ truth::ReferenceRequest requestOf(const ReferenceArguments& arguments) {
     request.height = size.height;
     request.time = arguments.time;
     request.samples = arguments.samples;
-    request.estimator = {*truth::parseMode(arguments.mode), arguments.seed, arguments.fluxPoints};
+    request.estimator = {*truth::parseMode(arguments.mode), arguments.seed, arguments.fluxPoints,
+                         arguments.photons};
     if (!arguments.part.empty()) request.part = partOf(arguments.part);
     request.commit = commit;
     return request;
@@ -121,6 +123,10 @@ void addReferenceVerb(CLI::App& app, Action& action) {
         ->check(CLI::Range(1U, 1024U));
     verb->add_option("--flux-points", arguments->fluxPoints, "Dipole: rays from each light, a sample")
         ->check(CLI::Range(1U, 1U << 26))
+        ->capture_default_str();
+    verb->add_option("--photons", arguments->photons,
+                     "Volume, single: rays from each light, a sample, where boundaries refract; at most")
+        ->check(CLI::Range(1U, 1U << 24))
         ->capture_default_str();
     verb->callback([&action, arguments] { action = [arguments] { reference(*arguments); }; });
 }

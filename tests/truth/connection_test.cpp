@@ -90,5 +90,44 @@ TEST(Connection, ALightInsideTheObjectNeedsNoBoundary) {
     EXPECT_NEAR(arrival.direction.z, -1, 1e-12);
 }
 
+/// Where the object lies behind the point once more, and where another object lies there.
+TEST(Connection, ALightInsideAnObjectShinesWithinItAlone) {
+    const auto scene =
+        test::sceneOf("{" + test::anyCamera +
+                      R"json(, "objects": [
+                   {"mesh": {"procedural": "torus", "radius": 10, "tube": 3}, "material": )json" +
+                      test::material(test::layer(0.1, 0), 1.3) +
+                      R"json(}, {"mesh": {"procedural": "sphere", "radius": 2}, "material": )json" +
+                      test::material(test::layer(0.1, 0), 1.3) + "}]}");
+    const World world(scene, 0);
+    EXPECT_EQ(world.objectsAround({11, 0, 0}), std::vector<std::uint32_t>{0});
+    EXPECT_EQ(world.objectsAround({0, 1, 0}), std::vector<std::uint32_t>{1});
+    EXPECT_TRUE(world.objectsAround({5, 0, 0}).empty());
+    EXPECT_TRUE(world.objectsAround({11, 3, 0}).empty());
+    scattering::Random random(1, 0, 0);
+    EXPECT_NEAR(connect(world, {11, 0, 0}, {9, 0, 0.1}, {0, 1}, 0, random).irradiance,
+                std::exp(-0.1 * std::sqrt(4.01)) / 4.01, 1e-9);
+    EXPECT_EQ(connect(world, {11, 0, 0}, {-9, 0, 0}, {0, 1}, 0, random).irradiance, 0);
+    EXPECT_EQ(connect(world, {11, 0, 0}, {1, 0, 0}, {1, 1}, 0, random).irradiance, 0);
+}
+
+/// Near the axis of a ball a distant light comes together at n R / (n - 1) behind where it entered, and a
+/// tube of rays has the squared share of its width that is left of the way there.
+TEST(Connection, FocusedLightIsLeftToPhotons) {
+    const auto scene = test::sceneOf(test::sphereScene(test::material(test::layer(0.1, 0), 3)));
+    const World world(scene, 0);
+    const double distance = 1e5;
+    const auto share = [](double depth) { return (1 - depth / 15) * (1 - depth / 15); };
+    const auto at = [&](double depth) {
+        return findRefractedPath(world, {0, 0, distance}, {0.01, 0.02, 10 - depth}, inObject);
+    };
+    for (const double depth : {1.0, 5.0, 10.0}) {
+        const auto path = at(depth);
+        ASSERT_TRUE(path) << depth;
+        EXPECT_NEAR(path->spread / (distance * distance) / share(depth), 1, 0.01) << depth;
+    }
+    for (const double depth : {11.0, 15.0, 19.0}) EXPECT_FALSE(at(depth)) << depth;
+}
+
 }  // namespace
 }  // namespace nephrite::truth

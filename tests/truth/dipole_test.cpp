@@ -70,7 +70,7 @@ TEST_P(DipoleOnSphere, AgreesWithQuadrature) {
     const World world(scene, 0);
     const ChannelDipoles dipoles = dipolesOf(world);
     const auto estimator = makeEstimator(world, {Mode::Dipole, 1, 1 << 18}, scene);
-    estimator->beginRound(0);
+    estimator->beginRound(0, 1, 1);
     const Camera camera(scene.description().camera, 16, 16);
     glm::dvec3 squaredError(0), total(0);
     int pixels = 0;

@@ -11,16 +11,18 @@ namespace nephrite::truth {
 namespace {
 
 const std::string skin = R"({"preset": "skin1", "eta": 1})";
+const std::string glass = test::material(test::layer(0.005, 0.05), 1.5);
 
 /// A scene with an estimator, rendered at 20 x 13.
 struct Work {
-    scene::Scene scene = test::sceneOf(test::sphereScene(skin));
+    scene::Scene scene;
     World world{scene, 0};
     Camera camera{scene.description().camera, 20, 13};
     std::unique_ptr<Estimator> estimator;
 
-    explicit Work(Mode mode = Mode::Volume, std::uint64_t seed = 1)
-        : estimator(makeEstimator(world, {mode, seed, 1 << 10}, scene)) {}
+    explicit Work(Mode mode = Mode::Volume, std::uint64_t seed = 1, const std::string& material = skin)
+        : scene(test::sceneOf(test::sphereScene(material))),
+          estimator(makeEstimator(world, {mode, seed, 1 << 10, 1 << 13}, scene)) {}
     Rendering rendering(const Part& part = {}, std::uint32_t samples = 6) {
         return {world, camera, *estimator, part, samples};
     }
@@ -34,8 +36,9 @@ image::Image rendered(Work& work, unsigned threads, const Part& part = {}) {
 }
 
 TEST(Rendering, PartsAddUpToTheWhole) {
-    for (const Mode mode : {Mode::Volume, Mode::Single, Mode::Dipole}) {
-        Work work(mode);
+    for (const auto& [mode, material] : {std::pair{Mode::Volume, skin}, std::pair{Mode::Single, skin},
+                                         std::pair{Mode::Single, glass}, std::pair{Mode::Dipole, skin}}) {
+        Work work(mode, 1, material);
         const image::Image whole = rendered(work, 2);
         image::Image sum = rendered(work, 1, {1, 3});
         for (const std::uint32_t part : {2U, 3U}) {
@@ -48,8 +51,9 @@ TEST(Rendering, PartsAddUpToTheWhole) {
 }
 
 TEST(Rendering, ContinuesWhereItStopped) {
-    for (const Mode mode : {Mode::Volume, Mode::Dipole}) {
-        Work work(mode);
+    for (const auto& [mode, material] :
+         {std::pair{Mode::Volume, skin}, std::pair{Mode::Volume, glass}, std::pair{Mode::Dipole, skin}}) {
+        Work work(mode, 1, material);
         const image::Image whole = rendered(work, 2);
         std::string saved;
         int stops = 0;
@@ -72,6 +76,32 @@ TEST(Rendering, ContinuesWhereItStopped) {
         Rendering other = work.rendering({}, 7);
         EXPECT_FALSE(other.restore("short"));
     }
+}
+
+/// Samples of a round share no photons: their mean varies a quarter as much as they do. Many paths make the
+/// photons' part of the variance the greater one.
+TEST(Rendering, SamplesOfARoundAreIndependent) {
+    Work work(Mode::Single, 1, glass);
+    const CameraRay ray = work.camera.through(7, 9);
+    const auto seen = work.world.geometry().trace(ray.ray);
+    ASSERT_TRUE(seen);
+    scattering::RunningStatistics samples, rounds;
+    for (std::uint32_t first = 0; first < 160; first += 4) {
+        work.estimator->beginRound(first, first + 4, 2);
+        scattering::RunningStatistics round;
+        for (std::uint32_t sample = first; sample < first + 4; ++sample) {
+            scattering::RunningStatistics paths;
+            for (std::uint32_t pixel = 0; pixel < 200; ++pixel) {
+                std::array<double, 3> values{};
+                work.estimator->sample(ray, *seen, pixel, sample, values);
+                paths.add(values[0]);
+            }
+            samples.add(paths.mean());
+            round.add(paths.mean());
+        }
+        rounds.add(round.mean());
+    }
+    EXPECT_NEAR(4 * rounds.variance() / samples.variance(), 1, 0.7);
 }
 
 TEST(Rendering, SeesThroughTheGpusPixels) {

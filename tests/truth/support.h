@@ -50,6 +50,11 @@ inline std::string slabScene(const std::string& material, double lightCosine) {
            material + R"json(, "transform": {"translate": [0, -150, 0]}}]})json";
 }
 
+inline std::string text(const glm::dvec3& vector) {
+    return "[" + std::to_string(vector.x) + "," + std::to_string(vector.y) + "," + std::to_string(vector.z) +
+           "]";
+}
+
 /// A grey layer's text.
 inline std::string layer(double absorption, double scattering, const std::string& thickness = "null") {
     const std::string a = std::to_string(absorption), s = std::to_string(scattering);

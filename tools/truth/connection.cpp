@@ -18,6 +18,7 @@ struct Trial {
     glm::dvec3 perTurn[2];     ///< how the ray moves there, mm per radian of each of two turns
     glm::dvec3 turns[2];       ///< unit, across the ray that leaves the light
     double missed = 0;         ///< length of `miss`
+    double spreadAtEntry = 0;  ///< area (mm^2) of one steradian just behind the boundary
 };
 
 void basisAcross(const glm::dvec3& direction, glm::dvec3 (&basis)[2]) {
@@ -44,11 +45,13 @@ glm::dvec3 movement(const Geometry& geometry, const SurfacePoint& entry, const F
     return step + length * turnBehind;
 }
 
-/// Traces the ray that leaves the light along `direction`; none if it meets something else first.
+/// Traces the ray that leaves the light along `direction`; none if it meets something else first, or leaves
+/// something that the light is in.
 std::optional<Trial> attempt(const World& world, const glm::dvec3& light, const glm::dvec3& direction,
                              const glm::dvec3& target, const Inside& inside) {
-    const auto entry = world.wayIn({light, direction}, std::numeric_limits<double>::infinity());
-    if (!entry || entry->object != inside.object) return std::nullopt;
+    const auto entry = world.geometry().trace({light, direction});
+    if (!entry || entry->object != inside.object || glm::dot(direction, entry->facetNormal) >= 0)
+        return std::nullopt;
     const double eta = world.materialOf(inside.object).eta;
     const Facing side = facing(*entry, direction);
     const double refractedCosine = scattering::refractedCosineInside(side.cosine, eta);
@@ -60,6 +63,7 @@ std::optional<Trial> attempt(const World& world, const glm::dvec3& light, const 
     trial.path.length = glm::dot(target - entry->position, trial.path.direction);
     trial.miss = target - (entry->position + trial.path.length * trial.path.direction);
     trial.missed = glm::length(trial.miss);
+    trial.spreadAtEntry = entry->distance * entry->distance * refractedCosine / side.cosine;
     basisAcross(direction, trial.turns);
     for (int i = 0; i < 2; ++i) {
         const glm::dvec3 moved = movement(world.geometry(), *entry, side, direction, refractedCosine, eta,
@@ -82,6 +86,12 @@ std::optional<glm::dvec3> newtonStep(const Trial& trial) {
     const double q = glm::dot(trial.perTurn[1], trial.miss);
     return trial.turns[0] * ((c * p - b * q) / determinant) +
            trial.turns[1] * ((a * q - b * p) / determinant);
+}
+
+/// Where light is focused more than this, paths merge; photons bring it there.
+bool isFocused(const Trial& trial) {
+    constexpr double mostConcentration = 10;
+    return !(trial.path.spread * mostConcentration > trial.spreadAtEntry);
 }
 
 bool isUnblocked(const World& world, const RefractedPath& path, const glm::dvec3& point,
@@ -150,7 +160,7 @@ std::optional<RefractedPath> refine(const World& world, const glm::dvec3& light,
     auto step = newtonStep(trial);
     for (int i = 0; i < mostTrials && step; ++i) {
         if (trial.missed <= closeEnough * trial.path.length + precision) {
-            if (!(trial.path.length > 0 && trial.path.spread > 0)) return std::nullopt;
+            if (!(trial.path.length > 0) || isFocused(trial)) return std::nullopt;
             return trial.path;
         }
         const glm::dvec3 turned = glm::normalize(direction + share * *step);
@@ -177,6 +187,16 @@ std::optional<RefractedPath> findRefractedPath(const World& world, const glm::dv
     auto path = refine(world, light, point, inside, *straight, direction);
     if (!path || !isUnblocked(world, *path, point, inside)) return std::nullopt;
     return path;
+}
+
+bool isRefractedPath(const World& world, const glm::dvec3& light, const SurfacePoint& entry,
+                     const glm::dvec3& point, const Inside& inside) {
+    const auto path = findRefractedPath(world, light, point, inside);
+    if (!path) return false;
+    // Newton's method stops 1e-5 of the length from the point. Of paths that are not focused hardly any two
+    // are nearer to each other than ten times that, even where facets make the refracted rays uneven.
+    const double tolerance = 1e-4 * path->length + world.geometry().surfaceOffset();
+    return glm::distance(path->entry.position, entry.position) <= tolerance;
 }
 
 Arrival connect(const World& world, const glm::dvec3& light, const glm::dvec3& point, const Inside& inside,

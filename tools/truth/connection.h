@@ -6,8 +6,8 @@
 // Walter, Zhao, Holzschuch and Bala, "Single scattering in refractive media with triangle mesh boundaries",
 // 2009, who search all triangles). Normals are interpolated between the vertices, so the refracted rays vary
 // continuously over flat triangles, and the rays from the light are what is spread: the flux of a ray tube
-// is conserved whatever the normals say. At most one path is found; light that reaches the point by a second
-// path, or after an inner reflection or another refraction, is not part of it.
+// is conserved whatever the normals say. At most one path is found, and none where the light is focused; what
+// reaches the point by other paths is brought there by photons (unconnected_light.h).
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -28,10 +28,15 @@ struct RefractedPath {
     double spread = 0;
 };
 
-/// Fermat's path from `light` to `point` inside `object`; none if Newton's method finds none or it is
-/// blocked.
+/// Fermat's path from `light`, outside of everything, to `point` inside an object; none if Newton's method
+/// finds none, if it is blocked, or if a tube of rays has less than a tenth of the area that it entered with.
 std::optional<RefractedPath> findRefractedPath(const World& world, const glm::dvec3& light,
                                                const glm::dvec3& point, const Inside& inside);
+
+/// Whether the path that findRefractedPath() finds is the one that enters at `entry`, compared to a ten
+/// thousandth of its length.
+bool isRefractedPath(const World& world, const glm::dvec3& light, const SurfacePoint& entry,
+                     const glm::dvec3& point, const Inside& inside);
 
 /// Unscattered light at a point inside.
 struct Arrival {
@@ -39,8 +44,8 @@ struct Arrival {
     glm::dvec3 direction{0, 0, 1};  ///< of travel, unit
 };
 
-/// Unscattered light from a source of intensity 1 W/sr at `light`; an unbiased estimate where the medium has
-/// layers, or where little light is left.
+/// Light from a source of intensity 1 W/sr at `light` that comes straight, or along the refracted path; an
+/// unbiased estimate where the medium has layers, or where little light is left.
 Arrival connect(const World& world, const glm::dvec3& light, const glm::dvec3& point, const Inside& inside,
                 int channel, scattering::Random& random);
 

@@ -14,11 +14,23 @@ namespace {
 
 const std::vector<std::string> colour{"R", "G", "B"};
 
+/// As many of `photons` as connections leave light to them: a pilot measures its share.
+std::uint32_t photonsWorthwhile(const World& world, std::uint64_t seed, std::uint32_t photons) {
+    const PhotonSet pilot{1 << 12, seed, ~std::uint32_t{0}};
+    constexpr double leastShare = 1.0 / 1024;
+    const double share = traceUnconnectedLight(world, pilot, 1).share;
+    return std::max(1U, static_cast<std::uint32_t>(photons * std::max(share, leastShare)));
+}
+
 /// Paths through the medium; each channel has its own.
 class WalkEstimator : public Estimator {
   public:
-    WalkEstimator(const World& world, std::uint64_t seed, Scatterings scatterings)
-        : world_(world), seed_(seed), scatterings_(scatterings) {}
+    WalkEstimator(const World& world, std::uint64_t seed, Scatterings scatterings, std::uint32_t photons)
+        : world_(world), seed_(seed), scatterings_(scatterings) {
+        if (!hasUnconnectedLight(world)) return;
+        radii_ = firstRadii(world);
+        photons_ = photonsWorthwhile(world, seed, photons);
+    }
 
     std::vector<std::string> channels() const override {
         std::vector<std::string> names = colour;
@@ -28,14 +40,25 @@ class WalkEstimator : public Estimator {
         return names;
     }
     std::uint32_t samplesPerRound() const override { return 4; }
-    void beginRound(std::uint32_t) override {}
+
+    void beginRound(std::uint32_t first, std::uint32_t last, unsigned threads) override {
+        firstOfRound_ = first;
+        maps_.clear();
+        for (std::uint32_t sample = first; photons_ > 0 && sample < last; ++sample) {
+            std::vector<glm::dvec3> radii = radii_;
+            for (glm::dvec3& radius : radii) radius *= radiusRatio(sample);
+            maps_.emplace_back(world_, traceUnconnectedLight(world_, {photons_, seed_, sample}, threads),
+                               radii);
+        }
+    }
 
     void sample(const CameraRay& ray, const SurfacePoint& seen, std::uint32_t pixel, std::uint32_t sample,
                 std::span<double> values) const override {
         scattering::Random random(seed_, pixel, sample);
+        const FluenceMap* unconnected = maps_.empty() ? nullptr : &maps_[sample - firstOfRound_];
         for (std::size_t c = 0; c < 3; ++c) {
-            const ScatteredRadiance found =
-                sampleRadiance(world_, seen, ray.ray.direction, static_cast<int>(c), scatterings_, random);
+            const ScatteredRadiance found = sampleRadiance(
+                world_, seen, ray.ray.direction, static_cast<int>(c), scatterings_, random, unconnected);
             values[c] = found.single + found.multiple;
             if (scatterings_ == Scatterings::One) continue;
             values[3 + c] = found.single;
@@ -47,6 +70,10 @@ class WalkEstimator : public Estimator {
     const World& world_;
     std::uint64_t seed_;
     Scatterings scatterings_;
+    std::uint32_t photons_ = 0;      ///< a light and sample
+    std::vector<glm::dvec3> radii_;  ///< of the first sample, by object and channel
+    std::uint32_t firstOfRound_ = 0;
+    std::vector<FluenceMap> maps_;  ///< of the round's samples: each has its own, so they are independent
 };
 
 /// A layer of no thickness is skipped by depth, but it is still the first.
@@ -84,9 +111,9 @@ class DipoleEstimator : public Estimator {
     std::vector<std::string> channels() const override { return colour; }
     std::uint32_t samplesPerRound() const override { return 1; }
 
-    void beginRound(std::uint32_t firstSample) override {
+    void beginRound(std::uint32_t first, std::uint32_t, unsigned) override {
         trees_.clear();
-        for (auto& points : enteringFlux(world_, fluxPoints_, seed_, firstSample))
+        for (auto& points : enteringFlux(world_, fluxPoints_, seed_, first))
             trees_.emplace_back(std::move(points));
     }
 
@@ -130,7 +157,7 @@ std::unique_ptr<Estimator> makeEstimator(const World& world, const EstimatorOpti
         return std::make_unique<DipoleEstimator>(world, options.seed, options.fluxPoints);
     }
     const Scatterings scatterings = options.mode == Mode::Single ? Scatterings::One : Scatterings::Any;
-    return std::make_unique<WalkEstimator>(world, options.seed, scatterings);
+    return std::make_unique<WalkEstimator>(world, options.seed, scatterings, options.photons);
 }
 
 }  // namespace nephrite::truth

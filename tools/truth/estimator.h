@@ -22,8 +22,9 @@ class Estimator {
     virtual std::vector<std::string> channels() const = 0;
     /// How many samples a round has; the last round may have fewer.
     virtual std::uint32_t samplesPerRound() const = 0;
-    /// Called before the samples from `firstSample` on are asked for, while none is under way.
-    virtual void beginRound(std::uint32_t firstSample) = 0;
+    /// Called before the samples `first` to `last` - 1, at most a round, are asked for, while none is under
+    /// way. What it prepares may not depend on the number of threads.
+    virtual void beginRound(std::uint32_t first, std::uint32_t last, unsigned threads) = 0;
     /// Values of sample number `sample` of pixel (x, y), which shows `seen`, a point of a translucent object.
     /// Depends on nothing else; called by several threads at once.
     virtual void sample(const CameraRay& ray, const SurfacePoint& seen, std::uint32_t pixel,
@@ -35,6 +36,7 @@ struct EstimatorOptions {
     Mode mode = Mode::Volume;
     std::uint64_t seed = 1;
     std::uint32_t fluxPoints = 1 << 20;  ///< dipole: a light and sample
+    std::uint32_t photons = 1 << 16;     ///< single, volume: a light and sample, at most
 };
 
 /// The world, which is of the scene, must outlive it. Throws InputError if the dipole, which is of a

@@ -98,6 +98,8 @@ image::Metadata recordOf(const ReferenceRequest& request, const scene::Scene& sc
                            {"commit", request.commit}};
     if (request.estimator.mode == Mode::Dipole)
         record["fluxPoints"] = fmt::format("{}", request.estimator.fluxPoints);
+    else
+        record["photons"] = fmt::format("{}", request.estimator.photons);
     if (request.part) record["part"] = toText(*request.part);
     return record;
 }

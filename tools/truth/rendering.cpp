@@ -76,8 +76,9 @@ void Rendering::run(unsigned threads, const Watcher& watcher) {
     while (!isFinished() && !watcher.stop()) {
         const std::uint32_t first = *std::min_element(samplesDone_.begin(), samplesDone_.end());
         const std::uint32_t each = estimator_.samplesPerRound();
-        estimator_.beginRound(first);
-        renderRound(threads, watcher, first, std::min(samples_, first - first % each + each));
+        const std::uint32_t last = std::min(samples_, first - first % each + each);
+        estimator_.beginRound(first, last, threads);
+        renderRound(threads, watcher, first, last);
     }
 }
 

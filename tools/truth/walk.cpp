@@ -29,8 +29,13 @@ glm::dvec3 turned(const glm::dvec3& direction, double cosine, scattering::Random
 
 class Walk {
   public:
-    Walk(const World& world, int channel, Scatterings scatterings, scattering::Random& random)
-        : world_(world), channel_(channel), scatterings_(scatterings), random_(random) {}
+    Walk(const World& world, int channel, Scatterings scatterings, scattering::Random& random,
+         const FluenceMap* unconnected)
+        : world_(world),
+          channel_(channel),
+          scatterings_(scatterings),
+          random_(random),
+          unconnected_(unconnected) {}
 
     ScatteredRadiance from(const SurfacePoint& seen, const glm::dvec3& view) {
         direction_ = view;
@@ -108,6 +113,8 @@ class Walk {
                 add(intensity * arrival.irradiance *
                     scattering::henyeyGreenstein(-glm::dot(arrival.direction, direction_), g));
         }
+        if (unconnected_ != nullptr)
+            add(unconnected_->inscattered(position_, inside_.object, channel_, direction_));
         direction_ = turned(direction_, scattering::sampleHenyeyGreenstein(g, random_.uniform()), random_);
         if (scatterings_ == Scatterings::One && !world_.hasEnvironment()) end();
     }
@@ -155,6 +162,7 @@ class Walk {
     int channel_;
     Scatterings scatterings_;
     scattering::Random& random_;
+    const FluenceMap* unconnected_;
 
     ScatteredRadiance found_;
     glm::dvec3 position_{0, 0, 0};
@@ -170,8 +178,9 @@ class Walk {
 }  // namespace
 
 ScatteredRadiance sampleRadiance(const World& world, const SurfacePoint& seen, const glm::dvec3& view,
-                                 int channel, Scatterings scatterings, scattering::Random& random) {
-    return Walk(world, channel, scatterings, random).from(seen, view);
+                                 int channel, Scatterings scatterings, scattering::Random& random,
+                                 const FluenceMap* unconnected) {
+    return Walk(world, channel, scatterings, random, unconnected).from(seen, view);
 }
 
 }  // namespace nephrite::truth

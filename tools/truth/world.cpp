@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/glm.hpp>
+#include <map>
 
 #include "scene/scene_state.h"
 
@@ -52,6 +53,22 @@ std::optional<SurfacePoint> World::wayIn(const Ray& ray, double limit) const {
         from = std::max(from, point->distance) + geometry_.surfaceOffset();
     }
     return std::nullopt;
+}
+
+std::vector<std::uint32_t> World::objectsAround(const glm::dvec3& point) const {
+    const glm::dvec3 toMiddle = geometry_.bounds().center - point;
+    Ray ray{point, {0, 0, 1}};
+    if (glm::length(toMiddle) > 0) ray.direction = glm::normalize(toMiddle);
+    std::map<std::uint32_t, int> waysOut;
+    double from = 0;
+    while (const auto met = geometry_.trace(ray, from)) {
+        waysOut[met->object] += glm::dot(ray.direction, met->facetNormal) > 0 ? 1 : -1;
+        from = std::max(from, met->distance) + geometry_.surfaceOffset();
+    }
+    std::vector<std::uint32_t> objects;
+    for (const auto& [object, count] : waysOut)
+        if (count > 0 && materialOf(object).translucent()) objects.push_back(object);
+    return objects;
 }
 
 scattering::Medium World::mediumAt(const glm::dvec3& point, std::uint32_t object, int channel) const {

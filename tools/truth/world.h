@@ -45,6 +45,10 @@ class World {
     /// What a ray outside of everything meets first before `limit` mm. Backs of surfaces are passed.
     std::optional<SurfacePoint> wayIn(const Ray& ray, double limit) const;
 
+    /// The translucent objects that a point lies in: a ray to the scene's middle leaves them more often than
+    /// it enters them.
+    std::vector<std::uint32_t> objectsAround(const glm::dvec3& point) const;
+
     /// The next collision within `length` mm of a ray in the medium, if it does not get through. Exact for
     /// layers: delta tracking (Woodcock et al. 1965).
     std::optional<Collision> collide(const Ray& ray, double length, std::uint32_t object, int channel,
