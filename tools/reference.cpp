@@ -27,7 +27,7 @@ struct ReferenceArguments {
     std::uint32_t samples = 16;
     std::uint64_t seed = 1;
     std::uint32_t fluxPoints = 1 << 20;
-    std::uint32_t photons = 1 << 16;
+    std::uint32_t photons = 1 << 18;
     unsigned threads = 0;
     double time = 0;
 };

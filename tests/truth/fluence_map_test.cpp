@@ -74,12 +74,12 @@ TEST(FluenceMap, KnowsThatNoPointsLieOutside) {
 TEST(FluenceMap, FirstRadiiFollowTheObjectsAndTheirMedia) {
     const auto scene = test::sceneOf(
         "{" + test::anyCamera +
-        R"json(, "objects": [{"mesh": {"procedural": "sphere", "radius": 10}, "material": )json" +
+        R"json(, "objects": [{"mesh": {"procedural": "slab", "size": [20, 2, 20]}, "material": )json" +
         test::material(test::layer(0, 0.01), 1.5) +
         R"json(}, {"mesh": {"procedural": "slab", "size": [20, 10, 20]}, "material": )json" +
         test::material(test::layer(1, 9, "1") + "," + test::layer(0.1, 3.9), 1.5) + "}]}");
     const auto radii = firstRadii(World(scene, 0));
-    EXPECT_NEAR(radii[0].x, 10 * 4.0 / 3 / 30, 1e-3);
+    EXPECT_NEAR(radii[0].x, 4.0 * 800 / 960 / 20, 1e-6);
     EXPECT_NEAR(radii[1].y, 0.5 / 4, 1e-12);
 }
 

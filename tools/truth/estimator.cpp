@@ -17,7 +17,7 @@ const std::vector<std::string> colour{"R", "G", "B"};
 /// As many of `photons` as connections leave light to them: a pilot measures its share.
 std::uint32_t photonsWorthwhile(const World& world, std::uint64_t seed, std::uint32_t photons) {
     const PhotonSet pilot{1 << 12, seed, ~std::uint32_t{0}};
-    constexpr double leastShare = 1.0 / 1024;
+    constexpr double leastShare = 1.0 / 4096;
     const double share = traceUnconnectedLight(world, pilot, 1).share;
     return std::max(1U, static_cast<std::uint32_t>(photons * std::max(share, leastShare)));
 }

@@ -36,7 +36,7 @@ struct EstimatorOptions {
     Mode mode = Mode::Volume;
     std::uint64_t seed = 1;
     std::uint32_t fluxPoints = 1 << 20;  ///< dipole: a light and sample
-    std::uint32_t photons = 1 << 16;     ///< single, volume: a light and sample, at most
+    std::uint32_t photons = 1 << 18;     ///< single, volume: a light and sample, at most
 };
 
 /// The world, which is of the scene, must outlive it. Throws InputError if the dipole, which is of a

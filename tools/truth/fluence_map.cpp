@@ -54,7 +54,7 @@ std::vector<glm::dvec3> firstRadii(const World& world) {
     for (std::uint32_t object = 0; object < world.geometry().objectCount(); ++object) {
         const Extent extent = extentOf(world.geometry(), object);
         const double geometric =
-            std::clamp(extent.meanChord / 30, extent.enclosing / 200, extent.enclosing / 20);
+            std::clamp(extent.meanChord / 20, extent.enclosing / 200, extent.enclosing / 20);
         glm::dvec3 radius;
         for (int c = 0; c < 3; ++c)
             radius[c] = std::min(geometric, 0.5 / clearestExtinction(world.materialOf(object), c));

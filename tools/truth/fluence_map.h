@@ -15,7 +15,7 @@
 
 namespace nephrite::truth {
 
-/// The radius (mm) of the first sample in each object and channel: a 30th of the mean chord 4 V/A, between a
+/// The radius (mm) of the first sample in each object and channel: a 20th of the mean chord 4 V/A, between a
 /// 200th and a 20th of the object's extent, but at most half a mean free path in the clearest layer.
 std::vector<glm::dvec3> firstRadii(const World& world);
 

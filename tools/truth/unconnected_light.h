@@ -24,7 +24,7 @@ bool hasUnconnectedLight(const World& world);
 
 /// An independent set of photons.
 struct PhotonSet {
-    std::uint32_t photons = 1 << 16;  ///< from each light, about: exactly the square below
+    std::uint32_t photons = 1 << 18;  ///< from each light, about: exactly the square below
     std::uint64_t seed = 1;
     std::uint32_t number = 0;  ///< of those with this seed
 };
