@@ -28,6 +28,7 @@ Draft::Draft(Draft&&) noexcept = default;
 void Draft::build() {
     State& draft = *state_;
     const Clock::time_point start = Clock::now();
+    draft.readAt = std::chrono::file_clock::now();
     const DraftRequest& request = draft.request;
     if (request.readScene)
         draft.scene =
@@ -45,7 +46,23 @@ void Draft::build() {
     if (draft.options.auditSkips)
         buildPrograms(makePlanWithoutSkipping(draft.planning(), draft.content, facts), draft.content,
                       draft.programs);
-    draft.times.compileMs = millisecondsSince(afterReading);
+    draft.times.driverMs = draft.programs.buildMs();
+    draft.times.compileMs = millisecondsSince(afterReading) - draft.times.driverMs;
+}
+
+void Draft::buildAfter(const std::vector<std::filesystem::path>& saved) {
+    std::vector<std::filesystem::path> ofScene;
+    for (const std::filesystem::path& file : state_->scene->files()) {
+        std::error_code ignored;
+        ofScene.push_back(file);
+        ofScene.push_back(std::filesystem::canonical(file, ignored));  // where a link leads
+    }
+    const auto isOfScene = [&](const std::filesystem::path& file) {
+        return std::find(ofScene.begin(), ofScene.end(), file) != ofScene.end();
+    };
+    state_->request.readScene = std::any_of(saved.begin(), saved.end(), isOfScene);
+    state_->request.readGraph = !std::all_of(saved.begin(), saved.end(), isOfScene);
+    build();
 }
 
 void Draft::warmUp() const {

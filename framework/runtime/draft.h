@@ -22,7 +22,8 @@ struct DraftRequest {
 /// Milliseconds of building a draft.
 struct DraftTimes {
     double readMs = 0;     ///< files to a linked graph and a scene
-    double compileMs = 0;  ///< the plan, GLSL to SPIR-V, pipelines
+    double compileMs = 0;  ///< the plan, GLSL to SPIR-V
+    double driverMs = 0;   ///< SPIR-V to pipelines
 };
 
 /// Made by Session::draft, which it must not outlive.
@@ -34,6 +35,9 @@ class Draft {
     /// Does all that touches nothing of the session: may run on another thread while frames are rendered.
     /// Once. Throws InputError or RunError.
     void build();
+    /// The same when only these files (absolute) have changed: leaves the graph or the scene out if none of
+    /// its files is among them.
+    void buildAfter(const std::vector<std::filesystem::path>& saved);
 
     /// What makes the first build() as fast as later ones; may run as build() does, before it.
     void warmUp() const;

@@ -17,8 +17,9 @@ struct Draft::State {
     std::shared_ptr<const scene::Scene> scene;  ///< the same
     ProgramCache programs;
     DraftTimes times;
-    std::uint64_t graphsSeen = 0;          ///< by the session when the draft was begun
-    std::vector<std::string> changesSeen;  ///< the same, of values
+    std::filesystem::file_time_type readAt;  ///< when it was begun, or build() was
+    std::uint64_t graphsSeen = 0;            ///< by the session when the draft was begun
+    std::vector<std::string> changesSeen;    ///< the same, of values
 
     PlanningContext planning() const { return {device, reads, options}; }
 };

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
 namespace nephrite::runtime {
@@ -30,8 +31,11 @@ std::shared_ptr<const Program> ProgramCache::programOf(const graph::Plan& plan,
     const ProgramDescription description = describeProgram(plan, pass, interface, *stages);
     Entry<Program>& entry = programs_[keyOf(description)];
     if (!entry.value) {
+        const auto start = std::chrono::steady_clock::now();
         entry.value = makeProgram(context_, description);
         ++built_;
+        buildMs_ +=
+            std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     }
     entry.used = ++requests_;
     return entry.value;
@@ -78,6 +82,7 @@ void ProgramCache::readFilesAnew() {
 ProgramCache ProgramCache::copy() const {
     ProgramCache result(*this);
     result.built_ = 0;
+    result.buildMs_ = 0;
     return result;
 }
 
@@ -87,6 +92,7 @@ void ProgramCache::exchange(ProgramCache& other) {
     std::swap(programs_, other.programs_);
     requests_ = other.requests_ = std::max(requests_, other.requests_);
     built_ += std::exchange(other.built_, 0);
+    buildMs_ += std::exchange(other.buildMs_, 0);
 }
 
 void ProgramCache::trim() {

@@ -41,6 +41,8 @@ class ProgramCache {
     std::size_t size() const { return programs_.size(); }
     /// Pipelines built so far; passes that share one or find theirs here build none.
     std::uint64_t built() const { return built_; }
+    /// Milliseconds that the driver took for them.
+    double buildMs() const { return buildMs_; }
 
   private:
     template<class Value>
@@ -60,6 +62,7 @@ class ProgramCache {
     Entries<Program> programs_;
     std::uint64_t requests_ = 0;
     std::uint64_t built_ = 0;
+    double buildMs_ = 0;
 };
 
 }  // namespace nephrite::runtime

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <optional>
 
 #include "gpu/device.h"
@@ -47,13 +48,17 @@ ProgramContext programContext(const gpu::Device& device, const gpu::ShaderCompil
 
 /// In the order of construction; what comes later uses what comes before.
 struct Session::State {
-    explicit State(const SessionOptions& sessionOptions) : State(sessionOptions, DataFolders::find()) {}
-    State(const SessionOptions& sessionOptions, const DataFolders& dataFolders)
-        : State(sessionOptions, dataFolders,
+    explicit State(const SessionOptions& sessionOptions)
+        : State(sessionOptions, DataFolders::find(), std::chrono::file_clock::now()) {}
+    State(const SessionOptions& sessionOptions, const DataFolders& dataFolders,
+          std::filesystem::file_time_type began)
+        : State(sessionOptions, dataFolders, began,
                 GraphContent({sessionOptions.graph, sessionOptions.settings, sessionOptions.dumps, {}},
                              dataFolders, sessionOptions.passPaths)) {}
-    State(const SessionOptions& sessionOptions, const DataFolders& dataFolders, GraphContent graphContent)
-        : options(sessionOptions),
+    State(const SessionOptions& sessionOptions, const DataFolders& dataFolders,
+          std::filesystem::file_time_type began, GraphContent graphContent)
+        : readAt(began),
+          options(sessionOptions),
           folders(dataFolders),
           scene(std::make_shared<const scene::Scene>(loadScene(options.scene, options.time, folders))),
           device(deviceOptions(options)),
@@ -183,6 +188,7 @@ struct Session::State {
                                                               scene,
                                                               programs.copy(),
                                                               {},
+                                                              readAt,
                                                               graphs,
                                                               content.source().changes});
     }
@@ -203,6 +209,7 @@ struct Session::State {
             throw;
         }
         ++graphs;
+        readAt = draft.readAt;
         collectWarnings();
         return true;
     }
@@ -236,6 +243,7 @@ struct Session::State {
             throw RunError(fmt::format("{} validation message{}", count, count == 1 ? "" : "s"));
     }
 
+    std::filesystem::file_time_type readAt;
     SessionOptions options;
     Diagnostics diagnostics;
     DataFolders folders;
@@ -308,6 +316,10 @@ bool Session::adopt(Draft& draft) {
 
 DraftRequest Session::shown() const {
     return state_->shown();
+}
+
+std::filesystem::file_time_type Session::readAt() const {
+    return state_->readAt;
 }
 
 std::vector<std::filesystem::path> Session::files() const {

@@ -109,6 +109,8 @@ class Session {
     DraftRequest shown() const;
     /// Every file that what is shown was made from, absolute, also those that are not there but would decide.
     std::vector<std::filesystem::path> files() const;
+    /// When the reading of these files began.
+    std::filesystem::file_time_type readAt() const;
 
     /// An output ("color") or a dump ("gbuffer.position") of the last frame. Several layers or mips become
     /// channels "layer1.R", "mip2.R"; layer 0 of level 0 is plain "R".

@@ -2,8 +2,6 @@
 #include "runtime/reload/live_reload.h"
 
 #include <fmt/format.h>
-#include <sys/resource.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <utility>
@@ -16,12 +14,6 @@ using FileClock = std::chrono::file_clock;
 
 double milliseconds(auto duration) {
     return std::chrono::duration<double, std::milli>(duration).count();
-}
-
-/// Frames come first: a software driver renders on the same cores.
-void takeLowPriority() {
-    constexpr int niceness = 10;
-    setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), niceness);
 }
 
 /// Since the last of these files was written.
@@ -55,20 +47,20 @@ std::vector<std::string> toLines(const Reload& reload) {
     if (!reload.shown) return lines;
     std::string names;
     for (const std::filesystem::path& file : reload.files)
-        names += (names.empty() ? "" : ", ") + file.filename().string();
+        if (std::filesystem::exists(file)) names += (names.empty() ? "" : ", ") + file.filename().string();
     const ReloadTimes& times = reload.times;
-    lines.push_back(
-        fmt::format("reloaded {}: noticed in {:.0f} ms, read in {:.0f} ms, compiled in {:.0f} ms ({} "
-                    "pipeline{}), swapped in {:.0f} ms",
-                    names.empty() ? "nothing" : names, times.noticeMs, times.readMs, times.compileMs,
-                    reload.pipelines, reload.pipelines == 1 ? "" : "s", times.swapMs));
+    lines.push_back(fmt::format(
+        "reloaded {} in {:.0f} ms (noticed {:.0f}, read {:.0f}, compiled {:.0f}, swapped {:.0f}), "
+        "driver {:.0f} ms for {} pipeline{}",
+        names.empty() ? "files" : names, times.ownMs(), times.noticeMs, times.readMs, times.compileMs,
+        times.swapMs, times.driverMs, reload.pipelines, reload.pipelines == 1 ? "" : "s"));
     return lines;
 }
 
 LiveReload::LiveReload(Session& session, std::function<void()> onReady)
     : session_(session), onReady_(std::move(onReady)) {
-    task_ = nextTask(FileClock::now());
-    watcher_.watch(task_->files, task_->anything);  // what is saved from here on counts
+    task_ = nextTask(session_.readAt());
+    watcher_.watch(task_->files, task_->anything, task_->readAt);  // what is saved from here on counts
     thread_ = std::thread([this] { run(); });
 }
 
@@ -83,7 +75,6 @@ LiveReload::~LiveReload() {
 }
 
 void LiveReload::run() {
-    takeLowPriority();
     std::optional<Task> task;
     while (takeTask(task)) {
         if (!task->atOnce) task->saved = watcher_.wait();
@@ -115,7 +106,10 @@ void LiveReload::work(Task task) {
     result.readAt = FileClock::now();
     result.draft = std::move(task.draft);
     try {
-        result.draft->build();
+        if (task.anything)
+            result.draft->build();  // what was wrong before may be in any of them
+        else
+            result.draft->buildAfter(result.reload.files);
     } catch (const std::exception& error) {
         result.reload.faults = faultsOf(error);
     }
@@ -159,6 +153,7 @@ bool LiveReload::adopt(Result& result) {
     const DraftTimes& built = result.draft->times();
     reload.times.readMs = built.readMs;
     reload.times.compileMs = built.compileMs;
+    reload.times.driverMs = built.driverMs;
     reload.pipelines = result.draft->pipelines();
     session_.waitForFrames();
     const Clock::time_point start = Clock::now();
@@ -197,7 +192,7 @@ void LiveReload::give(Task task) {
 
 void LiveReload::watchAnew() {
     faults_.clear();
-    give(nextTask(FileClock::now()));
+    give(nextTask(session_.readAt()));
 }
 
 }  // namespace nephrite::runtime

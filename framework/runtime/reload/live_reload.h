@@ -18,14 +18,16 @@
 
 namespace nephrite::runtime {
 
-/// Milliseconds of a reload. What the driver does when a new pipeline first runs belongs to the next frame.
+/// Milliseconds of a reload. What a driver leaves for when a pipeline first runs belongs to the next frame.
 struct ReloadTimes {
     double noticeMs = 0;   ///< from the file's time of writing to knowing of it
     double readMs = 0;     ///< to a linked graph and a scene
-    double compileMs = 0;  ///< plan, GLSL to SPIR-V, pipelines
+    double compileMs = 0;  ///< plan, GLSL to SPIR-V
+    double driverMs = 0;   ///< SPIR-V to pipelines
     double waitMs = 0;     ///< for the frame under way and for poll()
     double swapMs = 0;     ///< images, descriptors, taking over
 
+    /// Without what the driver does and what a frame takes.
     double ownMs() const { return noticeMs + readMs + compileMs + swapMs; }
 };
 
@@ -74,7 +76,7 @@ class LiveReload {
     struct Result {
         std::unique_ptr<Draft> draft;
         Reload reload;
-        std::filesystem::file_time_type readAt;
+        std::filesystem::file_time_type readAt;  ///< when its reading began
         std::chrono::steady_clock::time_point built;
     };
 
