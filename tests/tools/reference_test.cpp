@@ -105,5 +105,13 @@ TEST(Reference, SaysWhatIsWrongWithItsOptions) {
     EXPECT_THAT(nowhere.errors, HasSubstr("none/a.exr: error: "));
 }
 
+TEST(Reference, WritesNothingIfItsStandardErrorsCannotBeWritten) {
+    const Workplace place;
+    const Answer answer = place.run(reference("--mode single --spp 2 -o a.exr --stderr none/b.exr"));
+    EXPECT_EQ(answer.status, 1);
+    EXPECT_THAT(answer.errors, HasSubstr("none/b.exr: error: "));
+    EXPECT_FALSE(place.isThere("a.exr"));
+}
+
 }  // namespace
 }  // namespace nephrite::tools::test
