@@ -142,6 +142,10 @@ TEST_F(ProfileVerb, NamesFaultsOfALayersFile) {
     EXPECT_THAT(answer.errors, HasSubstr("l.json:3:17: error: "));
     EXPECT_THAT(answer.errors, HasSubstr("l.json:4:10: error: "));
     EXPECT_EQ(place_.run("profile --model montecarlo --layers missing.json").status, 2);
+
+    place_.write("empty.json", "{}");
+    EXPECT_EQ(place_.run("profile --model montecarlo --layers empty.json").errors,
+              "empty.json:1:1: error: a stack of layers needs \"layers\"\n");
 }
 
 TEST_F(ProfileVerb, SaysWhichFileItCannotWrite) {
