@@ -93,6 +93,8 @@ TEST(Reference, SaysWhatIsWrongWithItsOptions) {
           std::pair{"--mode glossy -o a.exr", "--mode"},
           std::pair{"--mode single --spp 1 -o a.exr --stderr b.exr", "--spp 2 or more"},
           std::pair{"--mode single -o a.exr --stderr ./a.exr", "two outputs"},
+          std::pair{"--mode single --seed -1 -o a.exr", "--seed: expected a whole number"},
+          std::pair{"--mode single --seed 18446744073709551616 -o a.exr", "--seed: expected a whole number"},
           std::pair{"--mode single --time nan -o a.exr", "finite"}, std::pair{"-o a.exr", "--mode"}}) {
         const Answer answer = place.run(reference(options));
         EXPECT_EQ(answer.status, 2) << options;
