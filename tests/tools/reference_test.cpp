@@ -65,12 +65,15 @@ TEST(Reference, PartsThatDoNotFitAreRefused) {
     }
 }
 
-TEST(Reference, ContinuesAfterCtrlC) {
+/// Ctrl-C, and what Slurm sends before it ends a job.
+class Interrupted : public testing::TestWithParam<const char*> {};
+
+TEST_P(Interrupted, ReferenceContinues) {
     const Workplace place;
     const std::string run = reference("--mode volume --spp 24 ");
     ASSERT_EQ(place.run(run + "-o whole.exr").status, 0);
-    const std::string interrupt = "cd '" + place.path().string() +
-                                  "' && timeout --foreground -s INT 0.5 '" NEPHRITE_PROGRAM "' " + run +
+    const std::string interrupt = "cd '" + place.path().string() + "' && timeout --foreground -s " +
+                                  GetParam() + " 0.5 '" NEPHRITE_PROGRAM "' " + run +
                                   "-o out.exr 2> errors; echo $? > status";
     ASSERT_EQ(std::system(interrupt.c_str()), 0);
     if (!place.isThere("out.exr")) {
@@ -84,6 +87,9 @@ TEST(Reference, ContinuesAfterCtrlC) {
     EXPECT_FALSE(place.isThere("out.exr.unfinished"));
     EXPECT_EQ(bytesOf(place.path() / "out.exr"), bytesOf(place.path() / "whole.exr"));
 }
+
+INSTANTIATE_TEST_SUITE_P(Signals, Interrupted, testing::Values("INT", "TERM"),
+                         [](const auto& instance) { return std::string(instance.param); });
 
 TEST(Reference, SaysWhatIsWrongWithItsOptions) {
     const Workplace place;
