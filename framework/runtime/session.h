@@ -54,6 +54,9 @@ struct GraphSource {
     /// Settings made since, while the graph ran. One that no longer fits is dropped, and so is one whose
     /// parameter has another value in the file than before: the last change wins.
     std::vector<std::string> changes = {};
+    /// Stands for what is in the file, as while it is edited. Paths in it are relative to the file, faults
+    /// are placed in it.
+    std::optional<std::string> text = std::nullopt;
 };
 
 class Draft;
