@@ -82,8 +82,8 @@ void GraphDocument::rebaseVersions(const json::Value& theirs) {
 
 Rebase GraphDocument::save() {
     std::error_code ignored;
-    Rebase report = std::filesystem::exists(file_, ignored) ? reload() : Rebase{};
     const bool isThere = std::filesystem::exists(file_, ignored);
+    Rebase report = isThere ? reload() : Rebase{};
     if (isThere && !isModified()) return report;
     image::writeFile(file_, text());
     saved_ = root_;
