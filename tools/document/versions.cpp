@@ -56,10 +56,10 @@ Rebase GraphDocument::reload() {
     if (theirs.document().text == savedText()) return {};
     link(theirs);
     Rebased now = rebased(saved_, root_, theirs, [this](const json::Value& root) { link(root); });
-    graph_ = link(now.root);
+    auto graph = link(now.root);
     rebaseVersions(theirs);
+    graph_ = std::move(graph);
     root_ = std::move(now.root);
-    versions_[current_].text = text();
     saved_ = theirs;
     return std::move(now.report);
 }
