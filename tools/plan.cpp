@@ -3,11 +3,14 @@
 
 #include <array>
 #include <cstdio>
+#include <optional>
 
 #include "graph/explain.h"
+#include "graph/plan_page.h"
 #include "graph/plan_writer.h"
 #include "image/output_file.h"
 #include "options.h"
+#include "plan_measurement.h"
 #include "runtime/graph_loading.h"
 #include "runtime/imports.h"
 #include "verbs.h"
@@ -22,6 +25,8 @@ struct PlanArguments {
     bool noSkip = false;
     std::string why;
     std::string policy = "barriers";
+    std::string device;
+    bool noMeasure = false;
 };
 
 struct PlanFormat {
@@ -29,18 +34,30 @@ struct PlanFormat {
     std::string (*write)(const graph::Plan&);
 };
 
-constexpr std::array<PlanFormat, 4> formats{{{".txt", graph::planAsText},
+std::string pageWithoutDevice(const graph::Plan& plan) {
+    graph::PlanMeasurements none;
+    none.note = "Nothing was rendered, so there are no times and pictures, and no results kept over frames.";
+    return graph::planAsHtml(plan, none);
+}
+
+constexpr std::string_view pageExtension = ".html";
+constexpr std::array<PlanFormat, 5> formats{{{".txt", graph::planAsText},
                                              {".json", graph::planAsJson},
                                              {".dot", graph::planAsDot},
-                                             {".svg", graph::planAsSvg}}};
+                                             {".svg", graph::planAsSvg},
+                                             {pageExtension, pageWithoutDevice}}};
 
 const PlanFormat& formatOf(const std::filesystem::path& output) {
     if (output.empty()) return formats.front();
     for (const PlanFormat& format : formats)
         if (output.extension() == format.extension) return format;
     throw InputError({output.string()},
-                     fmt::format("expected a name ending in .txt, .json, .dot or .svg, found \"{}\"",
+                     fmt::format("expected a name ending in .txt, .json, .dot, .svg or .html, found \"{}\"",
                                  output.extension().string()));
+}
+
+graph::Policy policyOf(const PlanArguments& arguments) {
+    return arguments.policy == "memory" ? graph::Policy::Memory : graph::Policy::Barriers;
 }
 
 /// The plan asked for, with the figures of the other policy beside its own.
@@ -60,10 +77,48 @@ graph::Plan makePlan(const PlanArguments& arguments, const runtime::DataFolders&
     request.facts = runtime::sceneFacts(scene.facts());
     request.view = arguments.graph.extent();
     request.skip = !arguments.noSkip;
-    request.policy = arguments.policy == "memory" ? graph::Policy::Memory : graph::Policy::Barriers;
+    request.policy = policyOf(arguments);
     for (const std::string& dump : arguments.dumps) request.dumps.push_back(runtime::dumpReference(dump));
     request.imports = runtime::importedImages(loaded.graph->description);
     return compileForBoth(request);
+}
+
+runtime::SessionOptions sessionOptions(const PlanArguments& arguments) {
+    runtime::SessionOptions options;
+    options.graph = arguments.graph.graph;
+    options.scene = arguments.graph.scene;
+    options.size = arguments.graph.extent();
+    options.settings = arguments.graph.settings;
+    options.passPaths = arguments.graph.passPaths;
+    options.dumps = arguments.dumps;
+    options.device = arguments.device;
+    options.skip = !arguments.noSkip;
+    options.policy = policyOf(arguments);
+    return options;
+}
+
+/// The page with times and pictures; nothing, and a warning that says why, if the graph cannot be rendered
+/// here.
+std::optional<std::string> tryMeasuredPage(const PlanArguments& arguments) {
+    const auto warn = [&](std::string_view reason) {
+        fmt::print(stderr, "{}: warning: no times and pictures: {}\n", arguments.output.string(), reason);
+    };
+    try {
+        return measuredPage(sessionOptions(arguments));
+    } catch (const RunError& error) {
+        warn(error.what());
+    } catch (const InputError& error) {
+        for (const Diagnostic& fault : error.faults()) warn(toLine(fault));
+    }
+    return std::nullopt;
+}
+
+std::string contents(const PlanArguments& arguments, const PlanFormat& format, const graph::Plan& plan) {
+    if (!arguments.why.empty()) return graph::explain(plan, arguments.why);
+    if (format.extension == pageExtension && !arguments.noMeasure) {
+        if (std::optional<std::string> page = tryMeasuredPage(arguments)) return *page;
+    }
+    return format.write(plan);
 }
 
 void writePlan(const PlanArguments& arguments) {
@@ -72,11 +127,13 @@ void writePlan(const PlanArguments& arguments) {
     const auto loaded = runtime::loadGraph(arguments.graph.graph, arguments.graph.settings, folders,
                                            arguments.graph.passPaths);
     const graph::Plan plan = makePlan(arguments, folders, loaded);
-    const std::string text = arguments.why.empty() ? format.write(plan) : graph::explain(plan, arguments.why);
-    if (arguments.output.empty())
-        fmt::print("{}", text);
-    else
-        image::writeFile(arguments.output, text);
+    if (arguments.output.empty()) {
+        fmt::print("{}", contents(arguments, format, plan));
+        return;
+    }
+    image::OutputFile file(arguments.output);  // tried before anything is rendered
+    file.write(contents(arguments, format, plan));
+    file.commit();
 }
 
 }  // namespace
@@ -97,8 +154,12 @@ void addPlanVerb(CLI::App& app, Action& action) {
     verb->add_option("--policy", arguments->policy,
                      "Order passes for few barriers (default) or for little memory")
         ->check(CLI::IsMember({"barriers", "memory"}));
+    verb->add_flag("--no-measure", arguments->noMeasure,
+                   "F.html without times and pictures: nothing is rendered");
+    verb->add_option("--device", arguments->device,
+                     "Render F.html's pictures on the device whose name contains this");
     verb->add_option("-o,--output", arguments->output,
-                     "F.txt, F.json, F.dot or F.svg (default: text on standard output)");
+                     "F.txt, F.json, F.dot, F.svg or F.html (default: text on standard output)");
     verb->callback([&action, arguments] { action = [arguments] { writePlan(*arguments); }; });
 }
 

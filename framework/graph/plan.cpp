@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace nephrite::graph {
 
 std::string Plan::nameOf(const Resource& resource) const {
@@ -32,6 +34,13 @@ bool isCleared(const Plan& plan, const PlannedPass& pass, Index port) {
     const Index modified = plan.typeOf(pass).outputs[port].modifiedInput;
     if (modified != noIndex) return !plan.inputs[pass.inputs.first + modified].modified;
     return pass.tileList != noIndex || plan.graph->nodes[pass.node].role == NodeRole::TileList;
+}
+
+bool isKept(const Plan& plan, const PlannedPass& pass) {
+    const auto outputs = slice(plan.outputs, pass.outputs);
+    return !outputs.empty() && std::all_of(outputs.begin(), outputs.end(), [&](Index output) {
+        return plan.resources[output].kind == ResourceKind::Kept;
+    });
 }
 
 std::string_view name(Policy policy) {
