@@ -19,11 +19,11 @@ struct Point {
 struct DrawingStyle {
     float nodeWidth = 200;
     float headerHeight = 44;
-    float rowHeight = 18;          ///< of a port
-    float pictureHeight = 52;      ///< of an output's row with a picture in it
+    float rowHeight = 17;          ///< of a port
+    float pictureHeight = 44;      ///< of an output's row with a picture in it
     float padding = 6;             ///< below the last row
-    float columnGap = 120;         ///< between nodes side by side; the labels of edges stand in it
-    float nodeGap = 26;            ///< between nodes one above the other
+    float columnGap = 130;         ///< between nodes side by side; the labels of edges stand in it
+    float nodeGap = 12;            ///< between nodes one above the other
     std::vector<bool> pictures{};  ///< by output port (LinkedNode::formats): its row holds a picture; empty:
                                    ///< none does
 };

@@ -67,7 +67,7 @@ class NodeWriter {
 
     std::string stateInWords() const {
         if (linked().role == NodeRole::Import) return "import";
-        if (pass_ != noIndex && plan_.nodes[node_].state == NodeState::Run && isKept(plan_, pass()))
+        if (pass_ != noIndex && plan_.nodes[node_].state == NodeState::Run && keepsResults(plan_, pass()))
             return "kept";
         return std::string(graph::name(plan_.nodes[node_].state));
     }

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 namespace nephrite::graph {
 
 std::string Plan::nameOf(const Resource& resource) const {
@@ -36,11 +34,15 @@ bool isCleared(const Plan& plan, const PlannedPass& pass, Index port) {
     return pass.tileList != noIndex || plan.graph->nodes[pass.node].role == NodeRole::TileList;
 }
 
-bool isKept(const Plan& plan, const PlannedPass& pass) {
-    const auto outputs = slice(plan.outputs, pass.outputs);
-    return !outputs.empty() && std::all_of(outputs.begin(), outputs.end(), [&](Index output) {
-        return plan.resources[output].kind == ResourceKind::Kept;
-    });
+bool keepsResults(const Plan& plan, const PlannedPass& pass) {
+    bool keepsAny = false;
+    for (const Index output : slice(plan.outputs, pass.outputs)) {
+        const Resource& resource = plan.resources[output];
+        const bool isRead = resource.requested || resource.first != resource.last;
+        if (isRead && resource.kind != ResourceKind::Kept) return false;
+        keepsAny = keepsAny || resource.kind == ResourceKind::Kept;
+    }
+    return keepsAny;
 }
 
 std::string_view name(Policy policy) {

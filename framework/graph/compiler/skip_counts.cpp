@@ -21,7 +21,7 @@ void countSkips(Compilation& work) {
         plan.skips.neutral += isPass && plan.nodes[node].state == NodeState::Skipped ? 1 : 0;
     }
     for (const PlannedPass& pass : plan.passes) {
-        if (keeps && isKept(plan, pass)) ++plan.skips.keepable;
+        if (keeps && keepsResults(plan, pass)) ++plan.skips.keepable;
         if (pass.tileList != noIndex) ++plan.skips.tiled;
         if (pass.iterations > 0 && isSpecialized(plan, pass)) ++plan.skips.specialized;
     }

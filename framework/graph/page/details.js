@@ -24,8 +24,9 @@ function inputLine(node, input, row) {
     line.append("← ", edge ? link(nodes[edge.from], resource.name) : resource.name,
         element("span", {className: "faint"}, ` ${resource.format} ${resource.size}`));
   } else {
-    line.append(input.source ? `← ${input.source}, which does not run; ` : "unconnected; ");
-    if (input.constant !== undefined) line.append(`reads ${input.constant}`);
+    line.append(input.source ? `← ${input.source}` : "unconnected");
+    if (input.constant !== undefined)
+      line.append(`${input.source ? ", which gives nothing" : ""}: reads ${input.constant}`);
   }
   if (input.detail) line.append(`, ${input.detail}`);
   return line;
@@ -98,6 +99,7 @@ function showPlan() {
   list.append(...definition("picture", `${plan.width} × ${plan.height}`),
       ...definition("ordered for", plan.policy),
       ...definition("heap", `${bytesInWords(plan.heapBytes)}; at most ${bytesInWords(plan.peakLiveBytes)} in use at once`),
+      ...definition("own memory", `${bytesInWords(ownBytes)} for results kept over frames and images from outside`),
       ...definition("apart", `${bytesInWords(plan.naiveBytes)} if nothing shared memory`),
       ...definition("barriers", `${plan.barriers} in ${plan.barrierBatches} batches; one a use would be ${plan.naiveBarriers}`));
   if (isMeasured) {

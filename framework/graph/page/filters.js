@@ -16,7 +16,7 @@ function applyFilters() {
   for (const edge of plan.edges)
     edge.element.classList.toggle("hidden", !isShown(nodes[edge.from]) || !isShown(nodes[edge.to]));
   for (const row of document.querySelectorAll("#passes tr[data-node]")) row.hidden = !isShown(nodes[row.dataset.node]);
-  document.getElementById("slow-count").textContent = isMeasured ? nodes.filter(isSlow).length : "";
+  document.getElementById("slow-count").textContent = isMeasured ? `(${nodes.filter(isSlow).length})` : "";
   drawOverview();
 }
 

@@ -34,6 +34,12 @@ function pictureOf(output, className) {
   return element("img", {src: output.picture, alt: "", className, title: `${output.name}: ${output.scale}`});
 }
 
+/** The largest size at which the longest part of a name stays within a width. */
+function nameSizeWithin(name, width) {
+  const longest = Math.max(...name.split(/(?<=[-.(_ ])/).map((part) => part.length));
+  return Math.max(13, 1.5 * width / longest);
+}
+
 function drawNode(node) {
   const [x, y, width, height] = node.box;
   const time = node.gpuMs === undefined ? "" : msInWords(node.gpuMs);
@@ -41,7 +47,8 @@ function drawNode(node) {
     className: `node ${node.state}`,
     tabIndex: 0,
     dataset: {name: node.name},
-    style: {left: `${x}px`, top: `${y}px`, width: `${width}px`, height: `${height}px`},
+    style: {left: `${x}px`, top: `${y}px`, width: `${width}px`, height: `${height}px`,
+      "--fitting-size": `${nameSizeWithin(node.name, width)}px`},
   });
   box.setAttribute("role", "button");
   box.setAttribute("aria-label", `${node.name}: ${states[node.state]}, ${node.why}${time ? `, ${time}` : ""}`);
@@ -51,6 +58,8 @@ function drawNode(node) {
       element("div", {className: "sub"},
           element("span", {}, doesRun(node) ? `${node.pass ?? ""} ${node.type}` : `${states[node.state]} ${node.type}`),
           element("span", {className: "time"}, time))));
+  const last = node.outputs.findLast((output) => output.picture);
+  if (last) box.append(pictureOf(last, "face"));
   if (node.gpuMs !== undefined)
     box.append(element("div", {className: "bar", style: {width: `${100 * shareOf(node)}%`}}));
   if (node.state !== "output") {

@@ -134,7 +134,8 @@ function showTitle() {
   const running = nodes.filter((node) => node.pass !== undefined && doesRun(node)).length;
   const time = isMeasured ? `${msInWords(plan.frameMs)} a frame on ${plan.device}` : plan.note;
   document.getElementById("summary").textContent =
-      `${plan.width} × ${plan.height} · ${running} passes · heap ${bytesInWords(plan.heapBytes)} · ` +
+      `${plan.width} × ${plan.height} · ${running} passes · heap ${bytesInWords(plan.heapBytes)} and ` +
+      `${bytesInWords(ownBytes)} of own memory · ` +
       `${plan.barriers} barriers in ${plan.barrierBatches} batches · ${time}`;
 }
 

@@ -11,6 +11,8 @@ nodes.forEach((node, index) => {
 const isMeasured = plan.frames > 0;
 const passMsTotal = nodes.reduce((sum, node) => sum + (node.gpuMs ?? 0), 0);
 
+const ownBytes = plan.resources.reduce((sum, {offset, bytes}) => sum + (offset === undefined ? bytes : 0), 0);
+
 const states = {
   run: "runs",
   kept: "runs, result kept",

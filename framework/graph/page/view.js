@@ -9,8 +9,7 @@ function applyView() {
   plane.style.transform = `translate(${view.x}px, ${view.y}px) scale(${view.zoom})`;
   const detail = view.zoom >= 0.55 ? "near" : view.zoom >= 0.3 ? "middle" : "far";
   plane.className = detail;
-  const nameSize = detail === "near" ? 13 : Math.min(11 / view.zoom, 56);
-  plane.style.setProperty("--name-size", `${nameSize}px`);
+  plane.style.setProperty("--name-size", `${detail === "near" ? 13 : 11.5 / view.zoom}px`);
   plane.style.setProperty("--pixel", `${1 / view.zoom}px`);
   drawOverview();
 }
@@ -32,10 +31,12 @@ function shownNodes() {
 function fit() {
   const shown = shownNodes();
   if (shown.length === 0) return;
-  const left = Math.min(...shown.map(({box}) => box[0]));
-  const top = Math.min(...shown.map(({box}) => box[1]));
-  const width = Math.max(...shown.map(({box}) => box[0] + box[2])) - left;
-  const height = Math.max(...shown.map(({box}) => box[1] + box[3])) - top;
+  const boxes = shown.map(({box}) => box);
+  if (shown.length === nodes.length) boxes.push([0, 0, plan.drawing.width, plan.drawing.height]);  // edges too
+  const left = Math.min(...boxes.map((box) => box[0]));
+  const top = Math.min(...boxes.map((box) => box[1]));
+  const width = Math.max(...boxes.map((box) => box[0] + box[2])) - left;
+  const height = Math.max(...boxes.map((box) => box[1] + box[3])) - top;
   const margin = 24;
   const zoom = Math.min((graph.clientWidth - 2 * margin) / width, (graph.clientHeight - 2 * margin) / height);
   view.zoom = Math.min(Math.max(zoom, zoomRange[0]), 1.25);
