@@ -29,23 +29,68 @@ struct PlanArguments {
     bool noMeasure = false;
 };
 
-struct PlanFormat {
-    std::string_view extension;
-    std::string (*write)(const graph::Plan&);
-};
+graph::Policy policyOf(const PlanArguments& arguments) {
+    return arguments.policy == "memory" ? graph::Policy::Memory : graph::Policy::Barriers;
+}
 
-std::string pageWithoutDevice(const graph::Plan& plan) {
+runtime::SessionOptions sessionOptions(const PlanArguments& arguments) {
+    runtime::SessionOptions options;
+    options.graph = arguments.graph.graph;
+    options.scene = arguments.graph.scene;
+    options.size = arguments.graph.extent();
+    options.settings = arguments.graph.settings;
+    options.passPaths = arguments.graph.passPaths;
+    options.dumps = arguments.dumps;
+    options.device = arguments.device;
+    options.skip = !arguments.noSkip;
+    options.policy = policyOf(arguments);
+    return options;
+}
+
+/// Every fault of an error, a line each.
+std::string linesOf(const InputError& error) {
+    std::string lines;
+    for (const Diagnostic& fault : error.faults()) lines += (lines.empty() ? "" : "\n") + toLine(fault);
+    return lines;
+}
+
+/// The page, with times and pictures. Where the graph cannot be rendered it has none, and says why; so does a
+/// warning. If a device was asked for by name that is an error.
+std::string planWithPictures(const PlanArguments& arguments, const graph::Plan& plan) {
     graph::PlanMeasurements none;
-    none.note = "Nothing was rendered, so there are no times and pictures, and no results kept over frames.";
+    none.note = "Nothing was rendered: there are no times and pictures, and no result is kept over frames.";
+    if (arguments.noMeasure) return graph::planAsHtml(plan, none);
+    std::string reason;
+    try {
+        return measuredPage(sessionOptions(arguments));
+    } catch (const InputError& error) {
+        if (!arguments.device.empty()) throw;
+        reason = linesOf(error);
+    } catch (const RunError& error) {
+        if (!arguments.device.empty()) throw;
+        reason = error.what();
+    }
+    fmt::print(stderr, "{}: warning: without times and pictures: {}\n", arguments.output.string(), reason);
+    none.note += "\n" + reason;
     return graph::planAsHtml(plan, none);
 }
 
-constexpr std::string_view pageExtension = ".html";
-constexpr std::array<PlanFormat, 5> formats{{{".txt", graph::planAsText},
-                                             {".json", graph::planAsJson},
-                                             {".dot", graph::planAsDot},
-                                             {".svg", graph::planAsSvg},
-                                             {pageExtension, pageWithoutDevice}}};
+/// How a plan is written under a name that ends so.
+struct PlanFormat {
+    std::string_view extension;
+    std::string (*write)(const PlanArguments&, const graph::Plan&);
+};
+
+template<std::string (*write)(const graph::Plan&)>
+std::string planAlone(const PlanArguments&, const graph::Plan& plan) {
+    return write(plan);
+}
+
+constexpr std::array<PlanFormat, 5> formats{{{".txt", planAlone<graph::planAsText>},
+                                             {".json", planAlone<graph::planAsJson>},
+                                             {".dot", planAlone<graph::planAsDot>},
+                                             {".svg", planAlone<graph::planAsSvg>},
+                                             {".html", planWithPictures}}};
 
 const PlanFormat& formatOf(const std::filesystem::path& output) {
     if (output.empty()) return formats.front();
@@ -54,10 +99,6 @@ const PlanFormat& formatOf(const std::filesystem::path& output) {
     throw InputError({output.string()},
                      fmt::format("expected a name ending in .txt, .json, .dot, .svg or .html, found \"{}\"",
                                  output.extension().string()));
-}
-
-graph::Policy policyOf(const PlanArguments& arguments) {
-    return arguments.policy == "memory" ? graph::Policy::Memory : graph::Policy::Barriers;
 }
 
 /// The plan asked for, with the figures of the other policy beside its own.
@@ -83,42 +124,8 @@ graph::Plan makePlan(const PlanArguments& arguments, const runtime::DataFolders&
     return compileForBoth(request);
 }
 
-runtime::SessionOptions sessionOptions(const PlanArguments& arguments) {
-    runtime::SessionOptions options;
-    options.graph = arguments.graph.graph;
-    options.scene = arguments.graph.scene;
-    options.size = arguments.graph.extent();
-    options.settings = arguments.graph.settings;
-    options.passPaths = arguments.graph.passPaths;
-    options.dumps = arguments.dumps;
-    options.device = arguments.device;
-    options.skip = !arguments.noSkip;
-    options.policy = policyOf(arguments);
-    return options;
-}
-
-/// The page with times and pictures; nothing, and a warning that says why, if the graph cannot be rendered
-/// here.
-std::optional<std::string> tryMeasuredPage(const PlanArguments& arguments) {
-    const auto warn = [&](std::string_view reason) {
-        fmt::print(stderr, "{}: warning: no times and pictures: {}\n", arguments.output.string(), reason);
-    };
-    try {
-        return measuredPage(sessionOptions(arguments));
-    } catch (const RunError& error) {
-        warn(error.what());
-    } catch (const InputError& error) {
-        for (const Diagnostic& fault : error.faults()) warn(toLine(fault));
-    }
-    return std::nullopt;
-}
-
 std::string contents(const PlanArguments& arguments, const PlanFormat& format, const graph::Plan& plan) {
-    if (!arguments.why.empty()) return graph::explain(plan, arguments.why);
-    if (format.extension == pageExtension && !arguments.noMeasure) {
-        if (std::optional<std::string> page = tryMeasuredPage(arguments)) return *page;
-    }
-    return format.write(plan);
+    return arguments.why.empty() ? format.write(arguments, plan) : graph::explain(plan, arguments.why);
 }
 
 void writePlan(const PlanArguments& arguments) {

@@ -65,7 +65,7 @@ function figuresOf(node) {
   if (node.gpuMs !== undefined) {
     list.append(...definition("GPU time", `${msInWords(node.gpuMs)}, ${(100 * shareOf(node)).toFixed(1)} % of all passes`),
         ...definition("recording", msInWords(node.cpuMs)));
-    if (node.rests) list.append(...definition("unchanged", "it does not run again: its results are kept"));
+    if (node.rests) list.append(...definition("at rest", "it does not run in a frame in which nothing has changed"));
   }
   if (node.bytes !== undefined) list.append(...definition("memory", `${bytesInWords(node.bytes)} for its outputs`));
   if (node.pass !== undefined || !doesRun(node)) {

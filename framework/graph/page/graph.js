@@ -37,7 +37,7 @@ function pictureOf(output, className) {
 /** The largest size at which the longest part of a name stays within a width. */
 function nameSizeWithin(name, width) {
   const longest = Math.max(...name.split(/(?<=[-.(_ ])/).map((part) => part.length));
-  return Math.max(13, 1.5 * width / longest);
+  return Math.max(13, 1.3 * width / longest);
 }
 
 function drawNode(node) {

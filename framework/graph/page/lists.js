@@ -47,6 +47,7 @@ function markBarriers() {
   }
   for (const body of document.querySelectorAll("#barriers tbody"))
     body.classList.toggle("marked", node !== null && body.dataset.node === String(node.index));
+  document.querySelector("#barriers .marked")?.scrollIntoView({block: "nearest"});
 }
 
 const columns = [
@@ -90,4 +91,5 @@ function drawNodeTable() {
 function markNodeTable() {
   for (const row of document.querySelectorAll("#passes tr[data-node]"))
     row.classList.toggle("marked", selection.node !== null && row.dataset.node === String(selection.node.index));
+  document.querySelector("#passes .marked")?.scrollIntoView({block: "nearest"});
 }

@@ -132,7 +132,7 @@ function showTitle() {
   document.title = `Plan of ${plan.graph}`;
   document.getElementById("title").textContent = `Plan of ${plan.graph}`;
   const running = nodes.filter((node) => node.pass !== undefined && doesRun(node)).length;
-  const time = isMeasured ? `${msInWords(plan.frameMs)} a frame on ${plan.device}` : plan.note;
+  const time = isMeasured ? `${msInWords(plan.frameMs)} a frame on ${plan.device}` : "not measured";
   document.getElementById("summary").textContent =
       `${plan.width} × ${plan.height} · ${running} passes · heap ${bytesInWords(plan.heapBytes)} and ` +
       `${bytesInWords(ownBytes)} of own memory · ` +

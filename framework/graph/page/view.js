@@ -117,6 +117,9 @@ function lookAt(event) {
 }
 
 function startView() {
+  // As large as it may be in the drawing's shape.
+  const scale = overviewScale();
+  [overview.width, overview.height] = [plan.drawing.width * scale, plan.drawing.height * scale].map(Math.ceil);
   onDrag(graph, (dx, dy, event) => event.target !== overview && pan(dx, dy));
   onDrag(overview, (dx, dy, event) => lookAt(event));
   overview.addEventListener("pointerdown", lookAt);
