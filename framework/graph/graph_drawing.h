@@ -22,7 +22,7 @@ struct DrawingStyle {
     float rowHeight = 17;          ///< of a port
     float pictureHeight = 44;      ///< of an output's row with a picture in it
     float padding = 6;             ///< below the last row
-    float columnGap = 130;         ///< between nodes side by side; the labels of edges stand in it
+    float columnGap = 110;         ///< between nodes side by side; the labels of edges stand in it
     float nodeGap = 12;            ///< between nodes one above the other
     std::vector<bool> pictures{};  ///< by output port (LinkedNode::formats): its row holds a picture; empty:
                                    ///< none does

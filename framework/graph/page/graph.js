@@ -34,10 +34,11 @@ function pictureOf(output, className) {
   return element("img", {src: output.picture, alt: "", className, title: `${output.name}: ${output.scale}`});
 }
 
-/** The largest size at which the longest part of a name stays within a width. */
-function nameSizeWithin(name, width) {
-  const longest = Math.max(...name.split(/(?<=[-.(_ ])/).map((part) => part.length));
-  return Math.max(13, 1.3 * width / longest);
+/** The largest size at which a name stays within a box, on one line or broken after its parts. */
+function nameSizeWithin(name, width, height) {
+  const sizeOf = (parts) =>
+    Math.min(1.3 * width / Math.max(...parts.map((part) => part.length)), 0.8 * height / parts.length);
+  return Math.max(13, sizeOf([name]), sizeOf(name.split(/(?<=[-.(_ ])/)));
 }
 
 function drawNode(node) {
@@ -48,7 +49,7 @@ function drawNode(node) {
     tabIndex: 0,
     dataset: {name: node.name},
     style: {left: `${x}px`, top: `${y}px`, width: `${width}px`, height: `${height}px`,
-      "--fitting-size": `${nameSizeWithin(node.name, width)}px`},
+      "--fitting-size": `${nameSizeWithin(node.name, width, height)}px`},
   });
   box.setAttribute("role", "button");
   box.setAttribute("aria-label", `${node.name}: ${states[node.state]}, ${node.why}${time ? `, ${time}` : ""}`);

@@ -2,7 +2,7 @@
 // its own stands below in rows.
 
 const timeline = document.getElementById("timeline");
-const axisWidth = 78;
+const axisWidth = 86;
 const headHeight = 34;
 const rowHeight = 15;
 
