@@ -11,8 +11,7 @@ namespace nephrite::graph {
 /// The page; its parts are graph/page/*. Throws RunError if the graph is too large to draw.
 std::string planAsHtml(const Plan& plan, const PlanMeasurements& measurements);
 
-/// The JSON that the page shows, safe inside a script element: it contains no "<". docs/plan.md names its
-/// keys.
+/// The JSON that the page shows, safe inside a script element: it contains no "<".
 std::string planPageData(const Plan& plan, const PlanMeasurements& measurements);
 
 }  // namespace nephrite::graph
