@@ -5,7 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
+#include <span>
 
 #include "graph/bench/synthetic_graph.h"
 #include "graph/plan_support.h"
@@ -37,7 +38,36 @@ bool overlap(const DrawnNode& a, const DrawnNode& b) {
            a.corner.y < b.corner.y + b.height && b.corner.y < a.corner.y + a.height;
 }
 
-/// What must hold of every drawing: boxes apart and inside, edges from port to port, along the flow.
+bool isInside(const Point& point, const DrawnNode& node) {
+    constexpr float border = 4;
+    return point.x > node.corner.x + border && point.x < node.corner.x + node.width - border &&
+           point.y > node.corner.y + border && point.y < node.corner.y + node.height - border;
+}
+
+/// A point of a cubic Bezier curve that starts at `first`.
+Point pointAt(std::span<const Point> curve, std::size_t first, float t) {
+    const float s = 1 - t;
+    const std::array<float, 4> weights{s * s * s, 3 * s * s * t, 3 * s * t * t, t * t * t};
+    Point sum;
+    for (std::size_t i = 0; i < 4; ++i) {
+        sum.x += weights[i] * curve[first + i].x;
+        sum.y += weights[i] * curve[first + i].y;
+    }
+    return sum;
+}
+
+/// How many points of an edge, taken closely, lie in a node.
+int pointsInNodes(const DrawnEdge& edge, const std::vector<DrawnNode>& nodes) {
+    int count = 0;
+    for (std::size_t first = 0; first + 3 < edge.curve.size(); first += 3)
+        for (float t = 0; t <= 1; t += 1 / 16.0F)
+            for (const DrawnNode& node : nodes)
+                count += isInside(pointAt(edge.curve, first, t), node) ? 1 : 0;
+    return count;
+}
+
+/// What must hold of every drawing: boxes apart and inside, edges from port to port, along the flow and
+/// around other nodes.
 void expectReadable(const GraphDrawing& drawing) {
     const auto& nodes = drawing.nodes;
     for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -57,6 +87,7 @@ void expectReadable(const GraphDrawing& drawing) {
         EXPECT_EQ(edge.curve.back().y, to.inputs[edge.input].y);
         if (edge.kind == EdgeKind::History) continue;
         EXPECT_LT(from.corner.x + from.width, to.corner.x);
+        EXPECT_EQ(pointsInNodes(edge, nodes), 0);
     }
 }
 
@@ -98,10 +129,11 @@ TEST(GraphDrawing, AnEarlierFramesImageIsDrawnAgainstTheFlow) {
 , "outputs" : {
     "color" : "b.color"
 }
-})json");;
+})json");
+    ;
     const GraphDrawing drawing = drawGraph(plan);
-EXPECT_THAT(edgesOf(plan, drawing, EdgeKind::History), testing::ElementsAre("b.color -> a.a"));
-expectReadable(drawing);
+    EXPECT_THAT(edgesOf(plan, drawing, EdgeKind::History), testing::ElementsAre("b.color -> a.a"));
+    expectReadable(drawing);
 }
 
 TEST(GraphDrawing, RowsWithPicturesAreHigher) {
