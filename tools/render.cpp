@@ -1,11 +1,13 @@
 // `nephrite render`: renders frames of a graph and writes pictures, dumps and timings.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <optional>
+#include <span>
 
 #include "commit.h"
 #include "image/exr.h"
@@ -17,7 +19,7 @@
 #include "options.h"
 #include "runtime/reload/live_reload.h"
 #include "runtime/session.h"
-#include "timings_report.h"
+#include "timings/report.h"
 #include "verbs.h"
 
 namespace nephrite::tools {
@@ -175,8 +177,8 @@ void writeTarget(const Target& target, std::uint32_t frame, const RenderArgument
         image::writeExr(file, image, metadata(arguments, session));
 }
 
-TimingsReport emptyReport(const RenderArguments& arguments, const runtime::Session& session) {
-    TimingsReport report;
+timings::Report emptyReport(const RenderArguments& arguments, const runtime::Session& session) {
+    timings::Report report;
     report.device = session.deviceName();
     report.driver = session.driverName();
     report.commit = commit;
@@ -185,16 +187,7 @@ TimingsReport emptyReport(const RenderArguments& arguments, const runtime::Sessi
     report.width = session.plan().view.width;
     report.height = session.plan().view.height;
     report.profiled = arguments.profile;
-    for (const auto& pass : session.plan().passes) report.passes.push_back(session.plan().nameOf(pass));
-    // A skipped node whose output is wanted still has a pass, which clears it.
-    const auto& plan = session.plan();
-    for (graph::Index node = 0; node < plan.nodes.size(); ++node) {
-        const std::string& name = plan.graph->nodeName(node);
-        const bool isListed =
-            std::find(report.passes.begin(), report.passes.end(), name) != report.passes.end();
-        if (plan.nodes[node].state == graph::NodeState::Skipped && !isListed) report.skipped.push_back(name);
-    }
-    report.skips = plan.skips;
+    timings::usePlan(report, session.plan());
     return report;
 }
 
@@ -219,45 +212,55 @@ void printWarnings(const runtime::Session& session) {
 }
 
 /// Renders the frames that were asked for, less the warm-up and those that an interruption leaves out, and
-/// writes what was asked for. The times of the frames.
-std::vector<runtime::FrameTimes> renderFrames(const RenderArguments& arguments,
-                                              const std::vector<Target>& targets, std::uint32_t warmup,
-                                              runtime::Session& session) {
-    std::vector<runtime::FrameTimes> frames;
+/// writes what was asked for. Adds the times of the frames to the report.
+void renderFrames(const RenderArguments& arguments, const std::vector<Target>& targets, std::uint32_t warmup,
+                  runtime::Session& session, timings::Report& report) {
     for (std::uint32_t i = 0; i < warmup && !interrupted(); ++i) session.renderFrame(arguments.time);
     for (std::uint32_t frame = 0; frame < arguments.frames && !interrupted(); ++frame) {
-        frames.push_back(session.renderFrame(arguments.time + frame / arguments.framesPerSecond));
+        timings::addFrame(report, session.renderFrame(arguments.time + frame / arguments.framesPerSecond));
         for (const Target& target : targets)
             if (target.file.isNumbered() || frame + 1 == arguments.frames)
                 writeTarget(target, frame, arguments, session);
     }
-    return frames;
 }
 
 /// What a user of --watch sees of it, beside the picture.
-void printFrames(const std::vector<runtime::FrameTimes>& frames) {
+void printFrames(std::span<const timings::Frame> frames) {
     if (frames.empty()) return;
     double sum = 0;
-    for (const runtime::FrameTimes& frame : frames) sum += frame.wallMs;
+    for (const timings::Frame& frame : frames) sum += frame.times.wallMs;
     fmt::print(stderr, "rendered {} frame{} in {:.0f} ms, the first in {:.0f} ms\n", frames.size(),
-               frames.size() == 1 ? "" : "s", sum, frames.front().wallMs);
+               frames.size() == 1 ? "" : "s", sum, frames.front().times.wallMs);
+}
+
+/// Renders and writes everything again, and the timings with these frames behind those before.
+void renderAnew(const RenderArguments& arguments, const std::vector<Target>& targets,
+                runtime::Session& session, timings::Report& report) {
+    requireOutput(session, arguments);
+    timings::usePlan(report, session.plan());
+    const std::size_t before = report.frames.size();
+    renderFrames(arguments, targets, 0, session, report);
+    printFrames(std::span(report.frames).subspan(before));
+    if (!arguments.timings.empty()) timings::write(arguments.timings, report);
 }
 
 /// Renders anew whenever a file is saved, until it is interrupted.
 void keepRendering(const RenderArguments& arguments, const std::vector<Target>& targets,
-                   runtime::Session& session) {
+                   runtime::Session& session, timings::Report& report) {
     constexpr std::chrono::milliseconds untilNextLook{100};  // at whether it was interrupted
     runtime::LiveReload reload(session);
     while (!interrupted()) {
         if (!reload.wait(untilNextLook)) continue;
         const std::optional<runtime::Reload> saved = reload.poll();
         if (!saved) continue;
-        for (const std::string& line : toLines(*saved)) fmt::print(stderr, "{}\n", line);
+        const std::vector<std::string> lines = toLines(*saved);
+        for (const std::string& line : lines) fmt::print(stderr, "{}\n", line);
+        report.marks.push_back({std::chrono::steady_clock::now(), saved->shown ? "reload" : "reload refused",
+                                fmt::format("{}", fmt::join(lines, "; "))});
         if (!saved->shown) continue;
         printWarnings(session);
         try {
-            requireOutput(session, arguments);
-            printFrames(renderFrames(arguments, targets, 0, session));
+            renderAnew(arguments, targets, session, report);
         } catch (const InputError& error) {
             for (const Diagnostic& fault : error.faults()) fmt::print(stderr, "{}\n", toLine(fault));
         }
@@ -267,22 +270,22 @@ void keepRendering(const RenderArguments& arguments, const std::vector<Target>& 
 void render(const RenderArguments& arguments) {
     requireFinite(arguments);
     const std::vector<Target> targets = targetsOf(arguments);
-    if (!arguments.timings.empty()) requireTimingsName(arguments.timings);
+    if (!arguments.timings.empty()) timings::requireName(arguments.timings);
     runtime::Session session(sessionOptions(arguments));
     printWarnings(session);
     requireOutput(session, arguments);
     tryOutputs(targets, arguments.timings);
 
-    TimingsReport report = emptyReport(arguments, session);
+    timings::Report report = emptyReport(arguments, session);
     report.warmup = arguments.warmup.value_or(arguments.timings.empty() ? 0 : 3);
     catchInterrupts();
-    report.frames = renderFrames(arguments, targets, report.warmup, session);
+    renderFrames(arguments, targets, report.warmup, session, report);
     const bool complete = report.frames.size() == arguments.frames;
     if (!complete && !arguments.watch)
         throw RunError(
             fmt::format("interrupted after {} of {} frames", report.frames.size(), arguments.frames));
-    if (!arguments.timings.empty() && complete) writeTimings(arguments.timings, report);
-    if (arguments.watch) keepRendering(arguments, targets, session);
+    if (!arguments.timings.empty() && complete) timings::write(arguments.timings, report);
+    if (arguments.watch) keepRendering(arguments, targets, session, report);
 }
 
 }  // namespace

@@ -153,6 +153,7 @@ void Device::createDevice() {
     features_.storageExtendedFormats = use.shaderStorageImageExtendedFormats == VK_TRUE;
     features_.fragmentStores = use.fragmentStoresAndAtomics == VK_TRUE;
     features_.vertexStores = use.vertexPipelineStoresAndAtomics == VK_TRUE;
+    features_.pipelineStatistics = use.pipelineStatisticsQuery == VK_TRUE;
 
     const float priority = 1;
     VkDeviceQueueCreateInfo queueInfo{};

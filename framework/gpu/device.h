@@ -45,6 +45,7 @@ struct DeviceFeatures {
         false;                    ///< storage images of r8, rg16f, r11g11b10f, ... (GLSL's longer list)
     bool fragmentStores = false;  ///< storage writes and atomics in fragment shaders
     bool vertexStores = false;
+    bool pipelineStatistics = false;  ///< queries that count shader invocations
 };
 
 class ValidationLog;

@@ -3,9 +3,8 @@
 
 namespace nephrite::gpu {
 
-FrameSlots::FrameSlots(const Device& device, std::uint32_t count, std::uint32_t timestamps)
-    : last_(count - 1) {
-    for (std::uint32_t i = 0; i < count; ++i) slots_.emplace_back(device, timestamps);
+FrameSlots::FrameSlots(const Device& device, std::uint32_t count, const Queries& queries) : last_(count - 1) {
+    for (std::uint32_t i = 0; i < count; ++i) slots_.emplace_back(device, queries);
 }
 
 std::uint32_t FrameSlots::next() {

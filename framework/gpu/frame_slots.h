@@ -1,19 +1,25 @@
-// Several frames under way at once: each has a command buffer, a fence and timestamps of its own, used in
-// turn.
+// Several frames under way at once: each has a command buffer, a fence, timestamps and statistics of its own,
+// used in turn.
 #pragma once
 
 #include <cstdint>
 #include <deque>
 
 #include "gpu/commands.h"
+#include "gpu/pipeline_statistics.h"
 #include "gpu/timestamps.h"
 
 namespace nephrite::gpu {
 
 class FrameSlots {
   public:
-    /// `timestamps`: how many queries each slot has.
-    FrameSlots(const Device& device, std::uint32_t count, std::uint32_t timestamps);
+    /// How many queries each slot has.
+    struct Queries {
+        std::uint32_t timestamps = 0;
+        std::uint32_t statistics = 0;
+    };
+
+    FrameSlots(const Device& device, std::uint32_t count, const Queries& queries);
 
     std::uint32_t count() const { return static_cast<std::uint32_t>(slots_.size()); }
 
@@ -25,11 +31,16 @@ class FrameSlots {
 
     Commands& commands(std::uint32_t slot) { return slots_[slot].commands; }
     const Timestamps& timestamps(std::uint32_t slot) const { return slots_[slot].timestamps; }
+    const PipelineStatistics& statistics(std::uint32_t slot) const { return slots_[slot].statistics; }
 
   private:
     struct Slot {
-        Slot(const Device& device, std::uint32_t count) : timestamps(device, count), commands(device) {}
+        Slot(const Device& device, const Queries& queries)
+            : timestamps(device, queries.timestamps),
+              statistics(device, queries.statistics),
+              commands(device) {}
         Timestamps timestamps;
+        PipelineStatistics statistics;
         Commands commands;  ///< after what it uses: its destructor waits for the frame
     };
 

@@ -99,6 +99,7 @@ void selectFeatures(const FeatureChain& supported, FeatureChain& enabled) {
     use.shaderStorageImageWriteWithoutFormat = has.shaderStorageImageWriteWithoutFormat;
     use.fragmentStoresAndAtomics = has.fragmentStoresAndAtomics;
     use.vertexPipelineStoresAndAtomics = has.vertexPipelineStoresAndAtomics;
+    use.pipelineStatisticsQuery = has.pipelineStatisticsQuery;
     enabled.vulkan12.uniformBufferStandardLayout = supported.vulkan12.uniformBufferStandardLayout;
     enabled.vulkan12.scalarBlockLayout = supported.vulkan12.scalarBlockLayout;
     enabled.vulkan13.synchronization2 = VK_TRUE;

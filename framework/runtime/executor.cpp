@@ -38,9 +38,10 @@ Executor::Executor(ProgramCache& programs, graph::Plan plan, const graph::Parame
       decisions_(plan_),
       parameterVersions_(plan_.passes.size(), 1),
       versions_(plan_.passes.size()),
-      recordMs_(plan_.passes.size()),
+      recorded_(plan_.passes.size()),
       slots_(programs.context().device, options.framesInFlight,
-             static_cast<std::uint32_t>(plan_.passes.size() + 1)) {
+             {static_cast<std::uint32_t>(plan_.passes.size() + 1),
+              options.profile ? static_cast<std::uint32_t>(plan_.passes.size()) : 0}) {
     makePrograms(values);
 }
 
@@ -122,7 +123,7 @@ Executor::Frame Executor::submitFrame(double time) {
         parameters_->write(frame.slot);
         for (std::size_t i = 0; i < runs.size(); ++i)
             if (runs[i] != 0 && bindings_[i]) bindings_[i]->prepare(*bindingContext_, frame.slot);
-        record(frame.slot, runs);
+        record(frame, runs);
     }
     frame.recordMs = milliseconds(Clock::now() - frame.start);
     if (frame.submitted) slots_.commands(frame.slot).submit();
@@ -148,20 +149,23 @@ const graph::BarrierSchedule& Executor::scheduleFor(std::span<const std::uint8_t
     return schedules_.emplace(key, graph::scheduleBarriers(plan_, runs)).first->second;
 }
 
-void Executor::record(std::uint32_t slot, std::span<const std::uint8_t> runs) {
+void Executor::record(const Frame& frame, std::span<const std::uint8_t> runs) {
+    const std::uint32_t slot = frame.slot;
     gpu::Commands& commands = slots_.commands(slot);
     commands.begin();
     slots_.timestamps(slot).reset(commands.handle());
-    recorder_.begin(commands.handle(), slot, scheduleFor(runs));
+    slots_.statistics(slot).reset(commands.handle());
+    recorder_.begin(commands.handle(), slot, scheduleFor(runs), slots_.statistics(slot));
     std::uint32_t stamp = 0;
     writeTimestamp(slot, stamp++);
     for (std::size_t i = 0; i < plan_.passes.size(); ++i) {
-        recordMs_[i] = 0;
+        recorded_[i] = {};
         if (runs[i] == 0) continue;
         const Clock::time_point start = Clock::now();
         recorder_.pass(static_cast<graph::Index>(i));
         writeTimestamp(slot, stamp++);
-        recordMs_[i] = milliseconds(Clock::now() - start);
+        recorded_[i].cpuStartMs = milliseconds(start - frame.start);
+        recorded_[i].cpuMs = milliseconds(Clock::now() - start);
     }
     recorder_.end();
     commands.end();
@@ -176,6 +180,7 @@ void Executor::writeTimestamp(std::uint32_t slot, std::uint32_t index) {
 
 FrameTimes Executor::timesOf(const Frame& frame) {
     FrameTimes times;
+    times.start = frame.start;
     times.wallMs = milliseconds(Clock::now() - frame.start);
     times.recordMs = frame.recordMs;
     times.passes.resize(plan_.passes.size());
@@ -185,10 +190,15 @@ FrameTimes Executor::timesOf(const Frame& frame) {
     times.waitMs = times.wallMs - times.recordMs - stamps.back();
     std::size_t stamp = 0;
     for (std::size_t i = 0; i < times.passes.size(); ++i) {
-        times.passes[i].ran = runs_[i] != 0;
-        if (!times.passes[i].ran) continue;
-        times.passes[i].gpuMs = stamps[stamp + 1] - stamps[stamp];
-        times.passes[i].cpuMs = recordMs_[i];
+        PassTime& pass = times.passes[i];
+        pass = recorded_[i];
+        pass.ran = runs_[i] != 0;
+        if (!pass.ran) continue;
+        pass.gpuMs = stamps[stamp + 1] - stamps[stamp];
+        if (bindings_[i])
+            pass.counts =
+                slots_.statistics(frame.slot)
+                    .counts(static_cast<std::uint32_t>(i), bindings_[i]->program().pipeline.bindPoint());
         ++stamp;
     }
     return times;

@@ -63,7 +63,7 @@ class Executor {
     Frame submitFrame(double time);
     std::span<const std::uint8_t> decide();
     const graph::BarrierSchedule& scheduleFor(std::span<const std::uint8_t> runs);
-    void record(std::uint32_t slot, std::span<const std::uint8_t> runs);
+    void record(const Frame& frame, std::span<const std::uint8_t> runs);
     void writeTimestamp(std::uint32_t slot, std::uint32_t index);
     FrameTimes timesOf(const Frame& frame);
 
@@ -82,7 +82,7 @@ class Executor {
     std::vector<std::uint64_t> versions_;                            ///< by pass, of the frame at hand
     std::span<const std::uint8_t> runs_;                             ///< by pass, of the last frame
     std::map<std::vector<bool>, graph::BarrierSchedule> schedules_;  ///< of frames that leave passes out
-    std::vector<double> recordMs_;
+    std::vector<PassTime> recorded_;  ///< by pass: the CPU's part, of the frame at hand
     gpu::FrameSlots slots_;
 };
 

@@ -53,10 +53,11 @@ FrameRecorder::FrameRecorder(const graph::Plan& plan, const FrameResources& reso
     : plan_(plan), resources_(resources), scene_(scene), bindings_(bindings) {}
 
 void FrameRecorder::begin(VkCommandBuffer commands, std::uint32_t slot,
-                          const graph::BarrierSchedule& schedule) {
+                          const graph::BarrierSchedule& schedule, const gpu::PipelineStatistics& statistics) {
     commands_ = commands;
     slot_ = slot;
     schedule_ = &schedule;
+    statistics_ = &statistics;
     batch_.memory(everything, everything).record(commands);
 }
 
@@ -71,11 +72,15 @@ void FrameRecorder::pass(Index index) {
     }
     const PassBindings& bindings = *bindings_[index];
     bind(bindings);
+    const VkPipelineBindPoint bindPoint = bindings.program().pipeline.bindPoint();
+    statistics_->begin(commands_, index, bindPoint);
     if (plan_.typeOf(pass).kind == graph::PassKind::Raster) {
         barriers(batch);
-        return raster(index, bindings);
+        raster(index, bindings);
+    } else {
+        compute(pass, bindings, batch);
     }
-    compute(pass, bindings, batch);
+    statistics_->end(commands_, index, bindPoint);
 }
 
 void FrameRecorder::end() {

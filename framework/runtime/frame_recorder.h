@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "gpu/barriers.h"
+#include "gpu/pipeline_statistics.h"
 #include "runtime/frame_resources.h"
 #include "runtime/pass_bindings.h"
 #include "scene/gpu_scene.h"
@@ -21,8 +22,10 @@ class FrameRecorder {
     FrameRecorder(const graph::Plan& plan, const FrameResources& resources, const scene::GpuScene& scene,
                   const std::vector<std::unique_ptr<PassBindings>>& bindings);
 
-    /// Starts a frame: everything of earlier frames is done and visible.
-    void begin(VkCommandBuffer commands, std::uint32_t slot, const graph::BarrierSchedule& schedule);
+    /// Starts a frame: everything of earlier frames is done and visible. `statistics` count each pass that
+    /// has a shader, by its index.
+    void begin(VkCommandBuffer commands, std::uint32_t slot, const graph::BarrierSchedule& schedule,
+               const gpu::PipelineStatistics& statistics);
     void pass(graph::Index index);
     /// The barriers before requested outputs are copied out.
     void end();
@@ -48,6 +51,7 @@ class FrameRecorder {
     VkCommandBuffer commands_ = VK_NULL_HANDLE;
     std::uint32_t slot_ = 0;
     const graph::BarrierSchedule* schedule_ = nullptr;
+    const gpu::PipelineStatistics* statistics_ = nullptr;
     gpu::BarrierBatch batch_;
     std::vector<VkRenderingAttachmentInfo> colors_;
     VkRenderingAttachmentInfo depth_{};

@@ -48,7 +48,7 @@ std::uint32_t valueOf(const Buffer& buffer) {
 }
 
 TEST_F(FramesInFlight, SlotsTakeTurns) {
-    FrameSlots slots(device(), 3, 2);
+    FrameSlots slots(device(), 3, {2});
     EXPECT_EQ(slots.count(), 3U);
     for (std::uint32_t frame = 0; frame < 7; ++frame) {
         const std::uint32_t slot = slots.next();
@@ -68,7 +68,7 @@ TEST_F(FramesInFlight, SlotsTakeTurns) {
 TEST_F(FramesInFlight, FramesRunInTheOrderOfTheirSubmission) {
     const Buffer sum = counter(device());
     const Adder adder(device(), sum);
-    FrameSlots slots(device(), 2, 0);
+    FrameSlots slots(device(), 2, {});
     for (int frame = 0; frame < 7; ++frame) {
         Commands& commands = slots.commands(slots.next());
         commands.begin();
@@ -88,7 +88,7 @@ TEST(LostDevice, IsReportedByNameAndLeavesEverythingDestructible) {
     const Device device(options);
     const Buffer sum = counter(device);
     const Adder adder(device, sum);
-    FrameSlots slots(device, 2, 0);
+    FrameSlots slots(device, 2, {});
     const auto frame = [&] {
         Commands& commands = slots.commands(slots.next());
         commands.begin();
