@@ -1,4 +1,5 @@
 # Tests that measure time run alone.
 set_tests_properties(Profile.EqualHeavyRasterPassesReadEqual Profile.PassesRecordingAndWaitingAreTheWallTime
                      SkippingCost.ATenthOfTheScreenPaysAtMostAFifth SkippingCost.AnOpaqueSceneDoesNotPayForScattering
-                     PlanPageInBrowser.ThreeHundredNodesAreLaidOutInLessThanThreeSeconds PROPERTIES RUN_SERIAL TRUE)
+                     PlanPageInBrowser.ThreeHundredNodesAreLaidOutInLessThanThreeSeconds
+                     CompareTimings.SeesTwiceTheWorkAndNothingElse ProfiledTrace.AddsUpToTheWallTimeOfEachFrame PROPERTIES RUN_SERIAL TRUE)

@@ -9,6 +9,7 @@ void addBenchVerb(CLI::App& app, Action& action) {
     addBenchCompile(*bench, action);
     addBenchStress(*bench, action);
     addBenchPareto(*bench, action);
+    addBenchCompareTimings(*bench, action);
 }
 
 }  // namespace nephrite::tools

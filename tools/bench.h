@@ -8,5 +8,6 @@ namespace nephrite::tools {
 void addBenchCompile(CLI::App& bench, Action& action);
 void addBenchStress(CLI::App& bench, Action& action);
 void addBenchPareto(CLI::App& bench, Action& action);
+void addBenchCompareTimings(CLI::App& bench, Action& action);
 
 }  // namespace nephrite::tools

@@ -134,8 +134,9 @@ struct FixedFunction {
 }  // namespace
 
 PipelineLayout::PipelineLayout(const Device& device, std::span<const VkDescriptorSetLayout> sets,
-                               std::uint32_t pushConstantBytes) {
-    const VkPushConstantRange range{pushConstantStages, 0, pushConstantBytes};
+                               std::uint32_t pushConstantBytes, VkShaderStageFlags pushStages)
+    : pushStages_(pushStages) {
+    const VkPushConstantRange range{pushStages, 0, pushConstantBytes};
     VkPipelineLayoutCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
     info.setLayoutCount = static_cast<std::uint32_t>(sets.size());

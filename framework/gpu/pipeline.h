@@ -39,21 +39,24 @@ class PipelineCache {
     Handle<VkPipelineCache, vkDestroyPipelineCache> cache_;
 };
 
+/// Every stage there is here.
+inline constexpr VkShaderStageFlags pushConstantStages =
+    VK_SHADER_STAGE_COMPUTE_BIT | VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
+
 class PipelineLayout {
   public:
     PipelineLayout() = default;
-    /// Set i has sets[i]'s layout; push constants (if any) start at 0 and are visible to every stage.
+    /// Set i has sets[i]'s layout; push constants (if any) start at 0 and are visible to `pushStages`.
     PipelineLayout(const Device& device, std::span<const VkDescriptorSetLayout> sets,
-                   std::uint32_t pushConstantBytes);
+                   std::uint32_t pushConstantBytes, VkShaderStageFlags pushStages = pushConstantStages);
     VkPipelineLayout handle() const { return layout_.get(); }
+    /// For vkCmdPushConstants.
+    VkShaderStageFlags pushStages() const { return pushStages_; }
 
   private:
+    VkShaderStageFlags pushStages_ = 0;
     Handle<VkPipelineLayout, vkDestroyPipelineLayout> layout_;
 };
-
-/// The stages push constants of a PipelineLayout are visible to, for vkCmdPushConstants.
-inline constexpr VkShaderStageFlags pushConstantStages =
-    VK_SHADER_STAGE_COMPUTE_BIT | VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
 
 /// A specialization constant's value: bool, int, uint or float, all 32 bits.
 struct SpecializationValue {

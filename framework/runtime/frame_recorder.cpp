@@ -143,8 +143,8 @@ void FrameRecorder::bindSets(const PassBindings& bindings, std::uint32_t iterati
 void FrameRecorder::push(const PassBindings& bindings, std::uint32_t iteration, graph::Extent extent,
                          std::uint32_t layer) {
     const std::array<std::uint32_t, 4> values{iteration, extent.width, extent.height, layer};
-    vkCmdPushConstants(commands_, bindings.program().layout.handle(), gpu::pushConstantStages, 0,
-                       sizeof(values), values.data());
+    const gpu::PipelineLayout& layout = bindings.program().layout;
+    vkCmdPushConstants(commands_, layout.handle(), layout.pushStages(), 0, sizeof(values), values.data());
 }
 
 void FrameRecorder::compute(const PlannedPass& pass, const PassBindings& bindings, Index batch) {

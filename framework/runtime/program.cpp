@@ -140,7 +140,12 @@ std::shared_ptr<const Program> makeProgram(const ProgramContext& context,
         bindings.push_back({descriptor.binding, descriptorType(descriptor.kind)});
     program->setLayout = gpu::DescriptorSetLayout(context.device, std::move(bindings));
     const std::array sets{context.sceneLayout, program->setLayout.handle()};
-    program->layout = gpu::PipelineLayout(context.device, sets, pushConstantBytes);
+    // A compute pass tells graphics stages nothing: lavapipe looks for their pipeline when a statistics query
+    // begins, and crashes if there is none yet.
+    const VkShaderStageFlags stages = description.raster
+                                          ? VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT
+                                          : VK_SHADER_STAGE_COMPUTE_BIT;
+    program->layout = gpu::PipelineLayout(context.device, sets, pushConstantBytes, stages);
     program->pipeline = makePipeline(context, description, program->layout.handle());
     program->sceneParts = scenePartsOf(description.stages);
     return program;

@@ -53,6 +53,23 @@ TEST_F(PassCounts, AreThoseOfTheWork) {
     }
 }
 
+TEST_F(PassCounts, NeedNoDraw) {
+    addPass("plain", "pixel", R"("inputs": {"before": {"optional": true, "neutral": [0, 0, 0, 0]}},
+                                 "outputs": {"color": {"format": "r32f"}})",
+            "void pixel(ivec2 p) { store(color, p, load(before, p) + 1.0); }");
+    SessionOptions options = graph(R"("nodes": {"a": {"pass": "plain"},
+        "b": {"pass": "plain", "in": {"before": "a.color"}}, "c": {"pass": "plain", "in": {"before": "b.color"}}},
+        "outputs": {"color": "c.color"})");
+    options.profile = true;
+    Session session(options);
+    for (int frame = 0; frame < 2; ++frame)
+        for (const PassTime& time : session.renderFrame(0).passes) {
+            if (!time.counts) GTEST_SKIP() << "this device does not count";
+            EXPECT_EQ(time.counts->computeInvocations, 256U);
+        }
+    EXPECT_EQ(test::valueAt(session, "color", 5, 7), 3);
+}
+
 TEST_F(PassCounts, AreMissingWithoutProfiling) {
     SessionOptions options = slab();
     options.profile = false;
