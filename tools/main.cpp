@@ -86,6 +86,7 @@ int main(int argc, char** argv) {
     nephrite::tools::addReferenceVerb(app, action);
     nephrite::tools::addMergeVerb(app, action);
     nephrite::tools::addCompareVerb(app, action);
+    nephrite::tools::addSweepVerb(app, action);
     if (argc > 1 && argv[1][0] != '-' && !hasVerb(app, argv[1])) {
         printLine(unknownVerb(app, argv[1]));
         return 2;

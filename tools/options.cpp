@@ -6,6 +6,7 @@
 #include <charconv>
 
 #include "text/diagnostics.h"
+#include "truth/run_record.h"
 
 namespace nephrite::tools {
 namespace {
@@ -61,6 +62,14 @@ std::pair<std::string, std::string> splitAssignment(const std::string& option, c
     if (equals == std::string::npos || equals == 0 || equals + 1 == text.size())
         throw InputError({option}, fmt::format("expected NAME=VALUE, found \"{}\"", text));
     return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
+truth::Part partOf(const std::string& text) {
+    const auto part = truth::parsePart(text);
+    if (!part)
+        throw InputError({"--part"},
+                         fmt::format("expected I/N with 1 <= I <= N <= 1000000, found {}", inQuotes(text)));
+    return *part;
 }
 
 }  // namespace nephrite::tools

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "graph/plan.h"
+#include "truth/tiles.h"
 
 namespace nephrite::tools {
 
@@ -31,6 +32,9 @@ struct GraphArguments {
     /// See pictureSize.
     graph::Extent extent() const { return pictureSize(size); }
 };
+
+/// `I/N` of --part. Throws InputError unless 1 <= I <= N <= 1000000.
+truth::Part partOf(const std::string& text);
 
 /// `NAME=REST` split at the first `=`. Throws InputError if there is none.
 std::pair<std::string, std::string> splitAssignment(const std::string& option, const std::string& text);

@@ -33,14 +33,6 @@ struct ReferenceArguments {
     double time = 0;
 };
 
-truth::Part partOf(const std::string& text) {
-    const auto part = truth::parsePart(text);
-    if (!part)
-        throw InputError({"--part"},
-                         fmt::format("expected I/N with 1 <= I <= N <= 1000000, found {}", inQuotes(text)));
-    return *part;
-}
-
 void requireExrName(const std::string& option, const std::filesystem::path& name) {
     if (name.extension() != ".exr")
         throw InputError({option},

@@ -17,6 +17,7 @@
 #include "image/tone_map.h"
 #include "interrupt.h"
 #include "options.h"
+#include "runtime/exposure.h"
 #include "runtime/reload/live_reload.h"
 #include "runtime/session.h"
 #include "timings/report.h"
@@ -121,12 +122,6 @@ runtime::SessionOptions sessionOptions(const RenderArguments& arguments) {
     return options;
 }
 
-const graph::GraphParameter* findParameter(const graph::Plan& plan, std::string_view name) {
-    for (const graph::GraphParameter& parameter : plan.graph->description.parameters)
-        if (parameter.name == name) return &parameter;
-    return nullptr;
-}
-
 /// The value of the first running pass's parameter `weights`: what the picture was really composed with.
 const graph::ParameterValue* usedWeights(const runtime::Session& session) {
     const graph::Plan& plan = session.plan();
@@ -158,21 +153,12 @@ image::Metadata metadata(const RenderArguments& arguments, const runtime::Sessio
     return data;
 }
 
-/// The graph parameter `exposure`, if it has one; 0 stands for automatic exposure.
-image::ToneMapping toneMapping(const graph::Plan& plan) {
-    image::ToneMapping mapping;
-    const auto* exposure = findParameter(plan, "exposure");
-    if (exposure != nullptr && exposure->value.components.size() == 1 && exposure->value.components[0] != 0)
-        mapping.exposure = static_cast<float>(exposure->value.components[0]);
-    return mapping;
-}
-
 void writeTarget(const Target& target, std::uint32_t frame, const RenderArguments& arguments,
                  runtime::Session& session) {
     const image::Image image = session.read(target.port);
     const std::filesystem::path file = target.file.of(frame);
     if (file.extension() == ".png")
-        image::writePng(file, image::toneMap(image, toneMapping(session.plan())));
+        image::writePng(file, image::toneMap(image, runtime::toneMapping(session.plan())));
     else
         image::writeExr(file, image, metadata(arguments, session));
 }

@@ -92,22 +92,6 @@ class Rounds {
     std::vector<std::vector<std::uint32_t>> order_;
 };
 
-std::vector<PassResult> passesOf(const Session& session, const std::vector<FrameTimes>& frames) {
-    std::vector<PassResult> passes;
-    const graph::Plan& plan = session.plan();
-    for (std::size_t i = 0; i < plan.passes.size(); ++i) {
-        std::vector<double> gpu;
-        std::vector<double> cpu;
-        for (const FrameTimes& frame : frames) {
-            gpu.push_back(frame.passes[i].gpuMs);
-            cpu.push_back(frame.passes[i].cpuMs);
-        }
-        passes.push_back({plan.nameOf(plan.passes[i]), runtime::timeStatistics(std::move(gpu)),
-                          runtime::timeStatistics(std::move(cpu))});
-    }
-    return passes;
-}
-
 }  // namespace
 
 std::map<std::string, image::Image> renderPictures(const Point& point, const std::filesystem::path& scene,
@@ -144,7 +128,7 @@ SceneTimes measureTimes(const std::vector<Point>& points, const std::filesystem:
     Rounds profiled(points, scene, settings, true);
     profiled.run(settings, progress, what, 0.5, 1);
     for (std::size_t i = 0; i < profiled.points().size(); ++i)
-        result.passes[profiled.points()[i]] = passesOf(profiled.session(i), profiled.times(i));
+        result.passes[profiled.points()[i]] = passTimes(profiled.session(i).plan(), profiled.times(i));
     return result;
 }
 

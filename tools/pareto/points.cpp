@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include "pareto/combinations.h"
+
 namespace nephrite::pareto {
 namespace {
 
@@ -21,20 +23,19 @@ void append(std::vector<Point>& points, std::vector<Point> more) {
 }  // namespace
 
 std::vector<Point> pointsOf(const Method& method) {
-    std::vector<Point> points{{&method, method.name, {}, method.settings, true}};
-    for (const Variation& variation : method.variations) {
-        std::vector<Point> varied;
-        for (const Point& point : points) {
-            for (const std::string& value : variation.values) {
-                Point& next = varied.emplace_back(point);
-                next.name += fmt::format(" {}={}", variation.parameter, value);
-                next.parameters.emplace_back(variation.parameter, value);
-                next.settings.push_back(fmt::format("{}={}", variation.parameter, value));
-            }
+    std::vector<std::size_t> lengths;
+    for (const Variation& variation : method.variations) lengths.push_back(variation.values.size());
+    std::vector<Point> points;
+    for (const std::vector<std::size_t>& choice : combinations(lengths)) {
+        Point& point = points.emplace_back(Point{&method, method.name, {}, method.settings, points.empty()});
+        for (std::size_t i = 0; i < choice.size(); ++i) {
+            const std::string& parameter = method.variations[i].parameter;
+            const std::string& value = method.variations[i].values[choice[i]];
+            point.name += fmt::format(" {}={}", parameter, value);
+            point.parameters.emplace_back(parameter, value);
+            point.settings.push_back(fmt::format("{}={}", parameter, value));
         }
-        points = std::move(varied);
     }
-    for (std::size_t i = 1; i < points.size(); ++i) points[i].isFirst = false;
     return points;
 }
 

@@ -1,40 +1,18 @@
 // Results as comma-separated values. What was not measured is an empty field.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <cmath>
 
+#include "pareto/csv.h"
 #include "pareto/report.h"
 #include "truth/reference_run.h"
 
 namespace nephrite::pareto {
 namespace {
 
-/// Quoted where it must be (RFC 4180).
-std::string field(const std::string& text) {
-    if (text.find_first_of(",\"\n") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (const char letter : text) quoted += letter == '"' ? std::string("\"\"") : std::string(1, letter);
-    return quoted + "\"";
+void addColors(const std::array<double, 3>& channels, CsvLine& line) {
+    line.add(channels[0], channels[1], channels[2]);
 }
-
-std::string field(double value) {
-    return std::isfinite(value) ? fmt::format("{:.17g}", value) : std::string();
-}
-
-class Line {
-  public:
-    template<class... Fields>
-    void add(const Fields&... fields) {
-        (fields_.push_back(field(fields)), ...);
-    }
-    void addEmpty(std::size_t count) { fields_.resize(fields_.size() + count); }
-    void addColors(const std::array<double, 3>& channels) { add(channels[0], channels[1], channels[2]); }
-    std::string text() const { return fmt::format("{}\n", fmt::join(fields_, ",")); }
-
-  private:
-    std::vector<std::string> fields_;
-};
 
 std::string parametersOf(const PointResult& point) {
     std::string text;
@@ -43,12 +21,12 @@ std::string parametersOf(const PointResult& point) {
     return text;
 }
 
-void addRun(const SuiteResult& result, Line& line) {
+void addRun(const SuiteResult& result, CsvLine& line) {
     line.add(result.device, result.driver, result.commit, std::to_string(result.width),
              std::to_string(result.height), std::to_string(result.frames));
 }
 
-void addPoint(const SceneResult& scene, const PointResult& point, Line& line) {
+void addPoint(const SceneResult& scene, const PointResult& point, CsvLine& line) {
     line.add(scene.name, point.method, parametersOf(point));
     if (!point.isTimed()) return line.addEmpty(5);
     const runtime::TimeStatistics times = runtime::timeStatistics(point.wallMs);
@@ -61,18 +39,18 @@ void addPoint(const SceneResult& scene, const PointResult& point, Line& line) {
 
 constexpr std::size_t comparisonFields = 22;
 
-void addComparison(const ComparisonResult& comparison, Line& line) {
+void addComparison(const ComparisonResult& comparison, CsvLine& line) {
     const image::Metrics& metrics = comparison.metrics;
     line.add(std::string(name(comparison.reference)), comparison.port,
              std::string(comparison.isOnFront ? "true" : "false"), comparison.error(), metrics.rmse,
              metrics.mae);
-    line.addColors(metrics.relRmse);
+    addColors(metrics.relRmse, line);
     line.add(metrics.relMse, metrics.psnr, metrics.flip ? metrics.flip->mean : std::nan(""), metrics.maxAbs);
-    line.addColors(metrics.meanRatio);
+    addColors(metrics.meanRatio, line);
     line.add(std::to_string(metrics.nonFinite), std::to_string(metrics.litPixels));
     if (!metrics.unbiased) return line.addEmpty(4);
     line.add(metrics.unbiased->mse);
-    line.addColors(metrics.unbiased->relRmse);
+    addColors(metrics.unbiased->relRmse, line);
 }
 
 }  // namespace
@@ -86,11 +64,11 @@ std::string resultsAsCsv(const SuiteResult& result) {
         "unbiasedRelRMSE.R,unbiasedRelRMSE.G,unbiasedRelRMSE.B\n";
     for (const SceneResult& scene : result.scenes) {
         for (const PointResult& point : scene.points) {
-            Line start;
+            CsvLine start;
             addRun(result, start);
             addPoint(scene, point, start);
             for (const ComparisonResult& comparison : point.comparisons) {
-                Line line = start;
+                CsvLine line = start;
                 addComparison(comparison, line);
                 text += line.text();
             }
@@ -109,7 +87,7 @@ std::string passesAsCsv(const SuiteResult& result) {
     for (const SceneResult& scene : result.scenes) {
         for (const PointResult& point : scene.points) {
             for (const PassResult& pass : point.passes) {
-                Line line;
+                CsvLine line;
                 addRun(result, line);
                 line.add(scene.name, point.method, parametersOf(point), pass.name, pass.gpuMs.median,
                          pass.gpuMs.p95, pass.gpuMs.min, pass.cpuMs.median, pass.cpuMs.p95, pass.cpuMs.min);

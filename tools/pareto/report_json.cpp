@@ -8,22 +8,6 @@
 namespace nephrite::pareto {
 namespace {
 
-Json::Value asJson(const runtime::TimeStatistics& statistics) {
-    Json::Value value;
-    value["median"] = statistics.median;
-    value["p95"] = statistics.p95;
-    value["min"] = statistics.min;
-    return value;
-}
-
-Json::Value asJson(const PassResult& pass) {
-    Json::Value value;
-    value["name"] = pass.name;
-    value["gpuMs"] = asJson(pass.gpuMs);
-    value["cpuMs"] = asJson(pass.cpuMs);
-    return value;
-}
-
 Json::Value asJson(const ComparisonResult& comparison) {
     Json::Value value;
     value["reference"] = std::string(name(comparison.reference));
@@ -50,11 +34,11 @@ void addTimes(const PointResult& point, Json::Value& value) {
     value["skip"] = point.skip;
     value["settings"] = Json::arrayValue;
     for (const std::string& setting : point.settings) value["settings"].append(setting);
-    value["wallMs"] = asJson(runtime::timeStatistics(point.wallMs));
+    value["wallMs"] = toJson(runtime::timeStatistics(point.wallMs));
     for (const double time : point.wallMs) value["wallMsByRound"].append(time);
     if (point.ratioToBaseline) value["ratioToBaseline"] = *point.ratioToBaseline;
     value["passes"] = Json::arrayValue;
-    for (const PassResult& pass : point.passes) value["passes"].append(asJson(pass));
+    for (const PassResult& pass : point.passes) value["passes"].append(toJson(pass));
 }
 
 Json::Value asJson(const PointResult& point) {

@@ -8,7 +8,7 @@
 
 namespace nephrite::pareto {
 
-double ComparisonResult::error() const {
+double errorOf(const image::Metrics& metrics) {
     if (metrics.unbiased) {
         double worst = 0;
         // A channel in which the reference is black has no value.

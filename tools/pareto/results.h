@@ -11,17 +11,14 @@
 
 #include "image/exr.h"
 #include "image/metrics/metrics.h"
-#include "runtime/time_statistics.h"
+#include "pareto/pass_times.h"
 #include "truth/estimator.h"
 
 namespace nephrite::pareto {
 
-/// A pass of a profiled graph, timed alone.
-struct PassResult {
-    std::string name;
-    runtime::TimeStatistics gpuMs;
-    runtime::TimeStatistics cpuMs;
-};
+/// relRMSE of the worst channel without the noise of the reference; with it where there is but one half of
+/// the reference or the estimate is not above 0.
+double errorOf(const image::Metrics& metrics);
 
 /// A picture held against a reference.
 struct ComparisonResult {
@@ -30,9 +27,7 @@ struct ComparisonResult {
     image::Metrics metrics;
     bool isOnFront = false;  ///< among the points of the scene held against the same reference
 
-    /// relRMSE of the worst channel without the noise of the reference; with it where the estimate is not
-    /// above 0.
-    double error() const;
+    double error() const { return errorOf(metrics); }
 };
 
 /// What was measured of a point. A sum of references has no times.

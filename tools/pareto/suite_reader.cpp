@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "graph/value_readers.h"
+#include "pareto/file_readers.h"
 #include "pareto/suite.h"
 
 namespace nephrite::pareto {
@@ -16,50 +17,6 @@ using json::Value;
 
 /// Parameter values of one method, multiplied out.
 constexpr std::size_t mostPoints = 256;
-constexpr std::uint32_t largestSide = 16384;
-
-void readCount(ObjectReader& object, std::string_view key, std::uint32_t least, std::uint32_t most,
-               std::uint32_t& target) {
-    const auto value = object.optional(key);
-    if (!value) return;
-    const std::string what = fmt::format("a whole number from {} to {}", least, most);
-    const auto number = value->integer(object.diagnostics(), what);
-    if (!number) return;
-    if (*number < least || *number > most)
-        object.diagnostics().error(value->where(),
-                                   fmt::format("expected {}, found {}", what, value->describe()));
-    else
-        target = static_cast<std::uint32_t>(*number);
-}
-
-/// The members of an object, or a fault.
-std::vector<std::pair<std::string, Value>> membersOf(const Value& value, std::string_view what,
-                                                     Diagnostics& diagnostics) {
-    if (!value.isObject())
-        diagnostics.error(value.where(),
-                          fmt::format("expected an object of {}, found {}", what, value.describe()));
-    return value.members();
-}
-
-/// The elements of an array that is not empty, or a fault.
-std::vector<Value> elementsOf(const Value& value, std::string_view what, Diagnostics& diagnostics) {
-    std::vector<Value> elements;
-    if (value.isArray())
-        for (std::size_t i = 0; i < value.size(); ++i) elements.push_back(value.at(i));
-    if (elements.empty())
-        diagnostics.error(value.where(),
-                          fmt::format("expected an array of {}, found {}", what, value.describe()));
-    return elements;
-}
-
-/// Names become names of files, and words of a table.
-void checkName(const std::string& name, std::string_view what, const Value& member,
-               Diagnostics& diagnostics) {
-    if (graph::isIdentifier(name, true)) return;
-    diagnostics.error(member.whereKey(),
-                      fmt::format("{} cannot be called {}: expected letters, digits, - and _, no digit first",
-                                  what, inQuotes(name)));
-}
 
 std::optional<truth::Mode> modeCalled(const std::string& name, const SourceLocation& where,
                                       Diagnostics& diagnostics) {
@@ -90,17 +47,10 @@ class SuiteReader {
         : root_(value, "a suite", diagnostics_),
           folder_(std::filesystem::path(value.where().file).parent_path()) {
         suite_.file = value.where().file;
-        suite_.name = std::filesystem::path(suite_.file).stem().string();
     }
 
     Suite read() {
-        if (const auto name = root_.optional("name")) {
-            suite_.name = name->string(diagnostics_, "a string").value_or("");
-            if (!graph::isIdentifier(suite_.name, true) && name->isString())
-                diagnostics_.error(name->where(),
-                                   "a suite's name has letters, digits, - and _, no digit first");
-        }
-        if (const auto doc = root_.optional("doc")) doc->string(diagnostics_, "a string");
+        suite_.name = readName(root_, "a suite");
         readSize();
         readCount(root_, "frames", 1, 100000, suite_.frames);
         readCount(root_, "warmup", 0, 100000, suite_.warmup);
@@ -115,23 +65,10 @@ class SuiteReader {
   private:
     void readSize() {
         const auto size = root_.optional("size");
-        if (!size) return;
-        const auto numbers = size->numbers(diagnostics_, "[width, height]", 2);
-        if (!numbers) return;
-        const auto isSide = [](double side) {
-            return side >= 1 && side <= largestSide && side == std::floor(side);
-        };
-        if (!std::all_of(numbers->begin(), numbers->end(), isSide))
-            return diagnostics_.error(
-                size->where(), fmt::format("expected whole numbers from 1 to {}, found {}", largestSide,
-                                           size->sourceText()));
-        suite_.width = static_cast<std::uint32_t>((*numbers)[0]);
-        suite_.height = static_cast<std::uint32_t>((*numbers)[1]);
-    }
-
-    std::filesystem::path readPath(const Value& value, std::string_view what) {
-        const auto file = value.string(diagnostics_, what);
-        return file ? (folder_ / *file).lexically_normal() : std::filesystem::path();
+        const auto extent = size ? readExtent(*size, diagnostics_) : std::nullopt;
+        if (!extent) return;
+        suite_.width = extent->width;
+        suite_.height = extent->height;
     }
 
     // ---- scenes
@@ -152,7 +89,8 @@ class SuiteReader {
         scene.name = name;
         scene.where = value.whereKey();
         ObjectReader object(value, "a scene of a suite", diagnostics_);
-        if (const auto file = object.required("scene")) scene.file = readPath(*file, "a scene file's name");
+        if (const auto file = object.required("scene"))
+            scene.file = readPath(*file, "a scene file's name", folder_, diagnostics_);
         readCount(object, "bins", 1, largestSide, scene.bins);
         if (const auto references = object.optional("references"))
             for (const auto& [mode, settings] : membersOf(*references, "references", diagnostics_))
@@ -187,7 +125,7 @@ class SuiteReader {
                                fmt::format("a method needs either \"graph\" or \"references\"{}",
                                            graph ? ", found both" : ""));
         if (graph) {
-            method.graph = readPath(*graph, "a graph file's name");
+            method.graph = readPath(*graph, "a graph file's name", folder_, diagnostics_);
             readGraphSettings(object, method);
         }
         if (references)

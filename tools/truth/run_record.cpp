@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "text/diagnostics.h"
+#include "text/digest.h"
 
 namespace nephrite::truth {
 namespace {
@@ -75,19 +76,17 @@ void copyTiles(const PartPicture& from, image::Image& to) {
 }  // namespace
 
 std::string digestOf(const std::vector<std::filesystem::path>& files) {
-    std::uint64_t hash = 0xcbf29ce484222325;
-    const auto add = [&](unsigned char byte) { hash = (hash ^ byte) * 0x100000001b3; };
+    Digest digest;
     for (const std::filesystem::path& file : files) {
         std::ifstream stream(file, std::ios::binary);
         if (!stream) throw InputError({file.string()}, "cannot be read");
         for (std::string block(std::size_t{1} << 16, '\0'); stream;) {
             stream.read(block.data(), static_cast<std::streamsize>(block.size()));
-            for (std::streamsize i = 0; i < stream.gcount(); ++i)
-                add(static_cast<unsigned char>(block[static_cast<std::size_t>(i)]));
+            digest.add(std::string_view(block).substr(0, static_cast<std::size_t>(stream.gcount())));
         }
-        add(0);  // so that bytes cannot move from one file to the next
+        digest.add(std::string_view("", 1));  // so that bytes cannot move from one file to the next
     }
-    return fmt::format("{:016x}", hash);
+    return digest.text();
 }
 
 std::optional<Part> parsePart(std::string_view text) {

@@ -13,8 +13,7 @@
 
 namespace nephrite::truth {
 
-/// FNV-1a (Fowler, Noll and Vo) of the bytes of all files, 16 hexadecimal digits. Throws InputError if one
-/// cannot be read.
+/// Digest of the bytes of all files, 16 hexadecimal digits. Throws InputError if one cannot be read.
 std::string digestOf(const std::vector<std::filesystem::path>& files);
 
 /// "I/N" with 1 <= I <= N <= 1000000; nothing for other text.
