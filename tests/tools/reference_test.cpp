@@ -8,6 +8,7 @@
 
 #include "image/exr.h"
 #include "program.h"
+#include "slurm.h"
 
 namespace nephrite::tools::test {
 namespace {
@@ -91,38 +92,19 @@ TEST_P(Interrupted, ReferenceContinues) {
 INSTANTIATE_TEST_SUITE_P(Signals, Interrupted, testing::Values("INT", "TERM"),
                          [](const auto& instance) { return std::string(instance.param); });
 
-/// tools/reference-array.sh with an `sbatch` that runs each job at once.
-int submit(const Workplace& place, const std::string& arguments) {
-    const auto sbatch = place.write("bin/sbatch", R"sh(#!/bin/sh
-jobs=1
-while [ "$1" != /dev/stdin ]; do
-    case "$1" in --array=1-*) jobs=${1#--array=1-} ;; esac
-    shift
-done
-shift
-cat > job.sh
-for job in $(seq "$jobs"); do SLURM_ARRAY_TASK_ID=$job sh job.sh "$@" || exit 1; done
-echo 7
-)sh");
-    std::filesystem::permissions(sbatch, std::filesystem::perms::owner_all);
-    const std::string command = "cd '" + place.path().string() +
-                                "' && PATH=\"$PWD/bin:$PATH\" NEPHRITE='" NEPHRITE_PROGRAM
-                                "' '" NEPHRITE_SOURCE_DIR "/tools/reference-array.sh' " +
-                                arguments + " > /dev/null 2> errors";
-    return std::system(command.c_str());
-}
-
 TEST(ReferenceArray, MergesWhatItsJobsRender) {
     const Workplace place;
     const std::string run = sceneFile("sphere.json") + " --size 32x24 --mode single --spp 2 ";
     ASSERT_EQ(place.run("reference " + run + "-o whole.exr --stderr error.exr").status, 0);
-    ASSERT_EQ(submit(place, "3 'out/a picture.exr' " + run + "--stderr 'out/its errors.exr'"), 0)
+    ASSERT_EQ(
+        submit(place, "reference-array.sh", "3 'out/a picture.exr' " + run + "--stderr 'out/its errors.exr'"),
+        0)
         << bytesOf(place.path() / "errors");
     EXPECT_EQ(bytesOf(place.path() / "out/a picture.exr"), bytesOf(place.path() / "whole.exr"));
     EXPECT_EQ(bytesOf(place.path() / "out/its errors.exr"), bytesOf(place.path() / "error.exr"));
-    ASSERT_EQ(submit(place, "2 plain.exr " + run), 0);
+    ASSERT_EQ(submit(place, "reference-array.sh", "2 plain.exr " + run), 0);
     EXPECT_EQ(bytesOf(place.path() / "plain.exr"), bytesOf(place.path() / "whole.exr"));
-    EXPECT_NE(submit(place, "2 other.exr " + run + "--part 1/2"), 0);
+    EXPECT_NE(submit(place, "reference-array.sh", "2 other.exr " + run + "--part 1/2"), 0);
     EXPECT_FALSE(place.isThere("other.exr"));
 }
 
