@@ -2,9 +2,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <json/reader.h>
-#include <signal.h>
-#include <spawn.h>
-#include <sys/wait.h>
 
 #include <chrono>
 #include <fstream>
@@ -15,21 +12,14 @@
 
 #include "image/exr.h"
 #include "program.h"
+#include "running.h"
 #include "slurm.h"
-
-extern char** environ;
 
 namespace nephrite::tools::test {
 namespace {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
-
-std::string contents(const fs::path& file) {
-    std::ostringstream text;
-    text << std::ifstream(file, std::ios::binary).rdbuf();
-    return text.str();
-}
 
 Json::Value parsed(const fs::path& file) {
     Json::Value value;
@@ -154,26 +144,16 @@ std::map<std::string, fs::file_time_type> recordsIn(const fs::path& folder) {
 TEST_F(Sweeping, ContinuesAfterItWasKilled) {
     writeSweep(R"("graphs": {"sum": "sum.json"}, "frames": 400, "grid": {"n.a": [1, 2, 3, 4, 5, 6, 7, 8]})");
     const fs::path folder = place_.path() / "out";
-    const std::string sweepFile = (place_.path() / "sweep.json").string();
-    const std::string passes = (place_.path() / "passes").string();
-    std::string program = NEPHRITE_PROGRAM;
-    std::string outName = folder.string();
-    std::vector<std::string> words{program, "sweep", sweepFile, "--pass-path", passes, "-o", outName};
-    std::vector<char*> arguments;
-    for (std::string& word : words) arguments.push_back(word.data());
-    arguments.push_back(nullptr);
-    pid_t child = 0;
-    ASSERT_EQ(posix_spawn(&child, program.c_str(), nullptr, nullptr, arguments.data(), environ), 0);
+    Running program(place_.path(), {"sweep", "sweep.json", "--pass-path", "passes", "-o", "out"});
     const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(60);
     while (recordsIn(folder).size() < 2 && std::chrono::steady_clock::now() < deadline)
         std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    kill(child, SIGKILL);
-    waitpid(child, nullptr, 0);
+    EXPECT_EQ(program.end(SIGKILL), 128 + SIGKILL) << program.log();
     const auto before = recordsIn(folder);
     ASSERT_GE(before.size(), 2U);
     EXPECT_LT(before.size(), 8U);
     for (const auto& [name, written] : before) EXPECT_TRUE(parsed(folder / "runs" / name)["row"].isObject());
-    const Answer answer = place_.run("sweep '" + sweepFile + "' --pass-path '" + passes + "' -o out");
+    const Answer answer = sweep("-o out");
     ASSERT_EQ(answer.status, 0) << answer.errors;
     const auto after = recordsIn(folder);
     EXPECT_EQ(after.size(), 8U);

@@ -1,63 +1,18 @@
 // `render --watch` as a user has it running beside an editor.
-#include <fcntl.h>
 #include <gmock/gmock.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <chrono>
-#include <csignal>
-#include <fstream>
-#include <sstream>
 #include <thread>
 
 #include "image/exr.h"
 #include "program.h"
+#include "running.h"
 
 namespace nephrite::tools::test {
 namespace {
 
 using namespace std::chrono_literals;
 using testing::HasSubstr;
-
-/// The program running in the background; killed if it still does at the end.
-class Running {
-  public:
-    Running(const std::filesystem::path& folder, std::vector<std::string> arguments) : log_(folder / "log") {
-        arguments.insert(arguments.begin(), NEPHRITE_PROGRAM);
-        std::vector<char*> pointers;
-        for (std::string& argument : arguments) pointers.push_back(argument.data());
-        pointers.push_back(nullptr);
-        process_ = fork();
-        if (process_ != 0) return;
-        const int file = open(log_.c_str(), O_CREAT | O_WRONLY | O_TRUNC, 0600);
-        dup2(file, STDERR_FILENO);
-        if (chdir(folder.c_str()) == 0) execv(NEPHRITE_PROGRAM, pointers.data());
-        _exit(127);
-    }
-    ~Running() {
-        if (process_ > 0) kill(process_, SIGKILL);
-        if (process_ > 0) waitpid(process_, nullptr, 0);
-    }
-    Running(const Running&) = delete;
-    Running& operator=(const Running&) = delete;
-
-    int interrupt() {
-        kill(process_, SIGINT);
-        int status = 0;
-        waitpid(process_, &status, 0);
-        process_ = -1;
-        return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-    }
-    std::string log() const {
-        std::ostringstream text;
-        text << std::ifstream(log_).rdbuf();
-        return text.str();
-    }
-
-  private:
-    std::filesystem::path log_;
-    pid_t process_ = -1;
-};
 
 class Watch : public testing::Test {
   protected:
@@ -102,6 +57,23 @@ TEST_F(Watch, WritesThePictureAgainWheneverAFileIsSaved) {
     EXPECT_EQ(value(), 2);
     writeShader("3.0");
     EXPECT_TRUE(comesTrue([&] { return value() == 3; })) << program.log();
+    EXPECT_EQ(program.interrupt(), 0);
+}
+
+TEST_F(Watch, MarksReloadsInTheTrace) {
+    std::vector<std::string> words = arguments();
+    words.insert(words.end(), {"--timings", "t.trace.json"});
+    Running program(place_.path(), words);
+    const auto trace = [this] { return contents(place_.path() / "t.trace.json"); };
+    EXPECT_TRUE(comesTrue([&] { return trace().find("frame 0") != std::string::npos; }));
+    EXPECT_EQ(trace().find("\"reload\""), std::string::npos);
+    writeShader("wrong");
+    EXPECT_TRUE(comesTrue([&] { return program.log().find("error") != std::string::npos; }));
+    writeShader("3.0");
+    EXPECT_TRUE(comesTrue([&] { return trace().find("frame 1") != std::string::npos; })) << program.log();
+    EXPECT_THAT(trace(), HasSubstr("\"reload refused\""));
+    EXPECT_THAT(trace(), HasSubstr("\"reload\""));
+    EXPECT_THAT(trace(), HasSubstr("reloaded flat.glsl in "));
     EXPECT_EQ(program.interrupt(), 0);
 }
 
