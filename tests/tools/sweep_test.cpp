@@ -219,7 +219,7 @@ TEST_F(Sweeping, DoesTheOtherRunsIfOneFails) {
     const Answer answer = sweep("-o out");
     EXPECT_EQ(answer.status, 1);
     EXPECT_THAT(answer.errors, HasSubstr("failed: s/sum/512x512 side=1000000"));
-    EXPECT_THAT(answer.errors, HasSubstr("1 runs failed"));
+    EXPECT_THAT(answer.errors, HasSubstr("1 of 2 runs failed"));
     EXPECT_EQ(recordsIn(place_.path() / "out").size(), 1U);
     EXPECT_FALSE(place_.isThere("out/sweep.csv"));
 }

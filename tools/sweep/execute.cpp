@@ -43,7 +43,8 @@ class Execution {
             if (!records_.find(sweep_, runs_[i])) failed += render(runs_[i]) ? 0 : 1;
             progress_.show("sweep", static_cast<double>(i + 1) / static_cast<double>(runs_.size()));
         }
-        if (failed > 0) throw RunError(fmt::format("{}: error: {} runs failed", sweep_.file, failed));
+        if (failed > 0)
+            throw RunError(fmt::format("{}: error: {} of {} runs failed", sweep_.file, failed, runs_.size()));
         SweepState state{runs_.size(), {}};
         for (const Run& run : runs_)
             if (auto row = records_.find(sweep_, run)) state.rows.push_back(std::move(*row));
