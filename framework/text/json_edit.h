@@ -2,6 +2,7 @@
 // stay byte for byte.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,6 +33,9 @@ Value setAt(const Value& root, const Path& path, std::string_view json);
 /// stay, but for those between its key and the end of its value. Throws InputError if `path` ends in an
 /// array.
 Value removeAt(const Value& root, const Path& path);
+
+/// A string as JSON writes it, with its quotes.
+std::string jsonString(std::string_view text);
 
 /// The shortest number that reads back as `value`, which must be finite.
 std::string shortestNumber(double value);

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "text/json.h"
+#include "text/json_edit.h"
 
 namespace nephrite::json {
 
@@ -18,9 +18,6 @@ struct Patch {
 
 /// The text with every patch applied; they must not overlap. Patches at one place come in their order.
 std::string patched(std::string_view text, std::vector<Patch> patches);
-
-/// A string as JSON writes it, with its quotes.
-std::string jsonString(std::string_view text);
 
 /// Adds `"key": value` behind the object's last member. `value` is JSON text.
 std::vector<Patch> memberAdded(const Value& object, std::string_view key, std::string_view value);
