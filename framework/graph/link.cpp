@@ -176,13 +176,8 @@ class Linker {
         const LinkedNode& from = graph_->nodes[source.sourceNode];
         const OutputPort& output = from.type->outputs[source.sourcePort];
         const Format format = graph_->formats[from.formats.first + source.sourcePort];
-        const auto sort = [](const std::string& element, bool isInteger) -> std::string {
-            if (!element.empty()) return fmt::format("a buffer of {}", element);
-            return isInteger ? "an image of unsigned integers (r32u)" : "an image of floats";
-        };
-        const bool expectsInteger = input.format && info(*input.format).isUnsignedInteger;
-        const std::string expected = sort(input.bufferElement, expectsInteger);
-        const std::string found = sort(output.bufferElement, info(format).isUnsignedInteger);
+        const std::string expected = sortOf(input);
+        const std::string found = sortOf(output, format);
         if (expected == found) return;
         diagnostics_.error(reference.where,
                            fmt::format("{} expects {}, but {} is {}", inQuotes(input.name), expected,

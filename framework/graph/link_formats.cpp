@@ -5,10 +5,7 @@
 #include "graph/value_readers.h"
 
 namespace nephrite::graph {
-namespace {
 
-/// The shader was written for floats, for unsigned integers or for depth: a format may change within these
-/// only.
 std::optional<std::string> whyNotChanged(const OutputPort& port, Format format) {
     const FormatInfo& from = info(port.format);
     const FormatInfo& to = info(format);
@@ -18,8 +15,6 @@ std::optional<std::string> whyNotChanged(const OutputPort& port, Format format) 
     if (from.isDepth == to.isDepth && from.isUnsignedInteger == to.isUnsignedInteger) return std::nullopt;
     return fmt::format("{} has the format {}, which cannot be changed to {}", name, from.name, to.name);
 }
-
-}  // namespace
 
 void linkFormats(LinkedGraph& graph, Index node, Diagnostics& diagnostics) {
     LinkedNode& linked = graph.nodes[node];

@@ -17,6 +17,18 @@ std::string describe(const GraphParameter& parameter) {
 
 }  // namespace
 
+std::optional<std::string> whyNotLinked(const GraphParameter& parameter,
+                                        const ParameterDeclaration& declaration) {
+    const bool wantsBool = declaration.type == ParameterType::Bool;
+    if (parameter.isBool != wantsBool || parameter.value.components.size() != declaration.count) {
+        return fmt::format("{} has type {}, but the graph parameter {} is {}", declaration.name,
+                           typeName(declaration), inQuotes(parameter.name), describe(parameter));
+    }
+    if (const auto fault = componentFault(parameter.value, declaration))
+        return fmt::format("{} in the graph parameter {}", *fault, inQuotes(parameter.name));
+    return std::nullopt;
+}
+
 ParameterLinker::ParameterLinker(LinkedGraph& graph, Diagnostics& diagnostics)
     : graph_(graph), diagnostics_(diagnostics) {
     const auto& parameters = graph_.description.parameters;
@@ -66,14 +78,8 @@ void ParameterLinker::useGraphParameter(const std::string& name, const Parameter
                                         LinkedParameter& linked) {
     const GraphParameter* parameter = findGraphParameter(name, linked.where);
     if (parameter == nullptr) return;
-    const bool wantsBool = declaration.type == ParameterType::Bool;
-    if (parameter->isBool != wantsBool || parameter->value.components.size() != declaration.count) {
-        diagnostics_.error(linked.where,
-                           fmt::format("{} has type {}, but the graph parameter {} is {}", declaration.name,
-                                       typeName(declaration), inQuotes(name), describe(*parameter)));
-    } else if (const auto fault = componentFault(parameter->value, declaration)) {
-        diagnostics_.error(linked.where, fmt::format("{} in the graph parameter {}", *fault, inQuotes(name)));
-    }
+    if (auto fault = whyNotLinked(*parameter, declaration))
+        diagnostics_.error(linked.where, std::move(*fault));
     linked.graphParameter = graphParameters_.at(name);
 }
 

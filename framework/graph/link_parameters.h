@@ -1,12 +1,18 @@
 // A node's parameters and the names in its expressions looked up.
 #pragma once
 
+#include <optional>
+#include <string>
 #include <string_view>
 #include <unordered_map>
 
 #include "graph/linked_graph.h"
 
 namespace nephrite::graph {
+
+/// Why a parameter cannot take its value from a graph parameter, or nothing.
+std::optional<std::string> whyNotLinked(const GraphParameter& parameter,
+                                        const ParameterDeclaration& declaration);
 
 class ParameterLinker {
   public:

@@ -22,6 +22,10 @@ void addImports(LinkedGraph& graph);
 /// Appends a TileList node for each image that some pass has as its domain.
 void addTileLists(LinkedGraph& graph);
 
+/// Why a graph may not give an output that format, or nothing: the shader was written for floats, for
+/// unsigned integers or for depth, and a format may change within these only.
+std::optional<std::string> whyNotChanged(const OutputPort& port, Format format);
+
 /// Enters the formats of a node's outputs.
 void linkFormats(LinkedGraph& graph, Index node, Diagnostics& diagnostics);
 
@@ -38,6 +42,10 @@ void orderDeclarations(LinkWork& work);
 /// is no such part, or nothing.
 std::optional<std::string> faultOfView(const LinkedGraph& graph, const PortReference& reference,
                                        LinkedInput& source);
+
+/// "a buffer of vec4", "an image of floats": an input and an output must be of one sort to be connected.
+std::string sortOf(const InputPort& input);
+std::string sortOf(const OutputPort& output, Format format);
 
 /// That there is no node, or no import, of the reference's name.
 std::string unknownNode(const GraphDescription& description, const PortReference& reference, bool suggest);

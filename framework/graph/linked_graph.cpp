@@ -8,6 +8,22 @@
 #include "graph/value_readers.h"
 
 namespace nephrite::graph {
+namespace {
+
+std::string sortOf(const std::string& element, bool isInteger) {
+    if (!element.empty()) return fmt::format("a buffer of {}", element);
+    return isInteger ? "an image of unsigned integers (r32u)" : "an image of floats";
+}
+
+}  // namespace
+
+std::string sortOf(const InputPort& input) {
+    return sortOf(input.bufferElement, input.format && info(*input.format).isUnsignedInteger);
+}
+
+std::string sortOf(const OutputPort& output, Format format) {
+    return sortOf(output.bufferElement, info(format).isUnsignedInteger);
+}
 
 std::string LinkedGraph::portName(Index node, Index port) const {
     if (nodes[node].role != NodeRole::Pass) return nodeName(node);

@@ -10,10 +10,6 @@
 namespace nephrite::json {
 namespace {
 
-std::size_t startOf(const Json::Value& value) {
-    return static_cast<std::size_t>(value.getOffsetStart());
-}
-
 std::string expected(std::string_view what, const Value& value) {
     return fmt::format("expected {}, found {}", what, value.describe());
 }
@@ -24,16 +20,26 @@ Value::Value(std::shared_ptr<const Document> document, const Json::Value* value)
     : document_(std::move(document)), value_(value) {}
 
 SourceLocation Value::where() const {
-    return locate(*document_, startOf(*value_));
+    return locate(*document_, start());
 }
 
 SourceLocation Value::whereKey() const {
+    return locate(*document_, keyStart());
+}
+
+std::size_t Value::start() const {
+    return static_cast<std::size_t>(value_->getOffsetStart());
+}
+
+std::size_t Value::end() const {
+    return static_cast<std::size_t>(value_->getOffsetLimit());
+}
+
+std::size_t Value::keyStart() const {
     const auto& keys = document_->keys;
-    const std::size_t start = startOf(*value_);
     const auto before = [](const KeyPlace& place, std::size_t offset) { return place.value < offset; };
-    const auto found = std::lower_bound(keys.begin(), keys.end(), start, before);
-    const bool isMember = found != keys.end() && found->value == start;
-    return locate(*document_, isMember ? found->key : start);
+    const auto found = std::lower_bound(keys.begin(), keys.end(), start(), before);
+    return found != keys.end() && found->value == start() ? found->key : start();
 }
 
 std::string Value::describe() const {
@@ -45,8 +51,7 @@ std::string Value::describe() const {
 }
 
 std::string_view Value::sourceText() const {
-    const auto limit = static_cast<std::size_t>(value_->getOffsetLimit());
-    return std::string_view(document_->text).substr(startOf(*value_), limit - startOf(*value_));
+    return std::string_view(document_->text).substr(start(), end() - start());
 }
 
 bool Value::isObject() const {
@@ -91,7 +96,7 @@ std::vector<std::pair<std::string, Value>> Value::members() const {
         result.emplace_back(member.name(), Value(document_, &*member));
     }
     std::sort(result.begin(), result.end(),
-              [](const auto& a, const auto& b) { return startOf(a.second.raw()) < startOf(b.second.raw()); });
+              [](const auto& a, const auto& b) { return a.second.start() < b.second.start(); });
     return result;
 }
 

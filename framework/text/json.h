@@ -46,6 +46,12 @@ class Value {
     std::string_view sourceText() const;  ///< the bytes of the value as written
     const Json::Value& raw() const { return *value_; }
 
+    // Byte offsets in the document's text.
+    const Document& document() const { return *document_; }
+    std::size_t start() const;     ///< of the value's first byte
+    std::size_t end() const;       ///< one past its last byte
+    std::size_t keyStart() const;  ///< of its key if it is an object's member, else start()
+
     bool isObject() const;
     bool isArray() const;
     bool isString() const;
