@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "graph/linked_graph.h"
 #include "graph/value_readers.h"
 
 namespace nephrite::graph {
@@ -88,6 +89,10 @@ void addDisplay(GraphDescription& graph, const Display& display, const PassLibra
     }
     graph.nodes.push_back(std::move(picture));
     graph.outputs.emplace_back(pictureName, reference(pictureName, "shown"));
+    for (const std::string& setting : display.settings) {
+        applySetting(graph, fmt::format("{}.{}", pictureName, setting));
+        if (!display.reference.empty()) applySetting(graph, fmt::format("{}.{}", referenceName, setting));
+    }
 }
 
 }  // namespace nephrite::graph

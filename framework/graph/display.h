@@ -3,6 +3,8 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "graph/description.h"
 
@@ -14,6 +16,7 @@ namespace nephrite::graph {
 struct Display {
     std::string port;                 ///< as in a graph file; if the graph has no such port, its first output
     std::filesystem::path reference;  ///< an EXR file; empty: none
+    std::vector<std::string> settings = {};  ///< `PARAM=JSON`, of the pass `display`
 };
 
 inline constexpr const char* pictureName = "(picture)";

@@ -1,0 +1,111 @@
+// What is worked on in a window, without the window: a session, the graph's text, a camera, time, and what is
+// looked at. Every change takes effect from the next frame on.
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "document/graph_document.h"
+#include "image/metrics/metrics.h"
+#include "runtime/session.h"
+#include "view/orbit_camera.h"
+#include "view/pass_times.h"
+#include "view/picture_choice.h"
+
+namespace nephrite::view {
+
+/// The picture's error against the reference.
+struct LiveError {
+    image::Metrics metrics;
+    std::uint64_t frame = 0;
+};
+
+class Workbench {
+  public:
+    /// `options.settings` become edits that are not saved yet. Throws as Session.
+    explicit Workbench(runtime::SessionOptions options);
+
+    // Changes throw InputError or RunError. The session then goes on as it was; the document may hold an edit
+    // that it does not show.
+    void set(const std::string& target, const std::string& json, document::Gesture gesture);
+    void reset(const std::string& target);
+    void switchNode(const std::string& node, bool on);
+    void swapPass(const std::string& node, const std::string& passType);
+    void undo();
+    void redo();
+    void save();
+
+    /// Looks at another port, or at the same otherwise. The exposure of another port is automatic.
+    void look(const PictureChoice& choice);
+    /// Sets the exposure so that the next frame's picture is neither black nor white.
+    void exposeAutomatically() { wantsExposure_ = true, isDirty_ = true; }
+    void resize(graph::Extent size);
+
+    /// The camera, to be moved; the next frame is seen from there.
+    OrbitCamera& moveCamera();
+    void frameObject();
+    void resetCamera();
+
+    void play(bool playing);
+    void step();
+
+    /// Whether a frame has to be rendered.
+    bool isDirty() const;
+    /// Renders a frame. Throws RunError.
+    void render();
+
+    const document::GraphDocument& document() const { return document_; }
+    const runtime::Session& session() const { return *session_; }
+    const PictureChoice& choice() const { return choice_; }
+    const PassTimes& times() const { return times_; }
+    const OrbitCamera& camera() const { return camera_; }
+    double time() const { return time_; }
+    bool isPlaying() const { return playing_; }
+    graph::Extent size() const { return session_->plan().view; }
+    bool isDeviceLost() const;
+
+    /// The looked-at port in the last frame, at the chosen level and layer: its true values. Read when first
+    /// asked for. Throws RunError if nothing computes it.
+    const image::Image& values();
+    /// Nothing without a reference. Computed anew for another frame. Throws InputError if the two cannot be
+    /// compared.
+    const std::optional<LiveError>& error();
+    const std::optional<image::Image>& reference() const { return reference_; }
+
+    /// What was looked at, as the screen shows it or with its true values.
+    void writePng(const std::filesystem::path& file);
+    void writeExr(const std::filesystem::path& file);
+
+  private:
+    using Clock = std::chrono::steady_clock;
+
+    runtime::GraphSource source() const;
+    void showDocument();
+    void showSetting(const std::string& setting);
+    void applyExposure();
+    void sendChoice(const PictureChoice& before);
+    void changed();
+
+    std::unique_ptr<runtime::Session> session_;
+    document::GraphDocument document_;
+    std::string shownText_;  ///< of the document, as the session renders it
+    PictureChoice choice_;
+    OrbitCamera camera_;
+    PassTimes times_;
+    double time_ = 0;
+    bool playing_ = false;
+    Clock::time_point lastTick_;
+    bool isDirty_ = true;
+    bool wantsExposure_ = true;
+    std::uint32_t framesToSettle_ = 0;  ///< of a graph that remembers: frames until its picture is at rest
+
+    std::optional<image::Image> values_;
+    std::optional<image::Image> reference_;
+    std::optional<LiveError> error_;
+};
+
+}  // namespace nephrite::view
