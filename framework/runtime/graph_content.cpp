@@ -7,7 +7,7 @@ namespace nephrite::runtime {
 
 GraphContent::GraphContent(const GraphSource& source, const DataFolders& folders,
                            const std::vector<std::filesystem::path>& passPaths)
-    : loaded_(loadGraph(source.file, source.settings, folders, passPaths)),
+    : loaded_(loadGraph(source.file, source.settings, folders, passPaths, source.text)),
       importFiles_(readImports(loaded_.graph->description)) {
     values = std::make_shared<graph::ParameterValues>(loaded_.graph->values);
     for (const std::string& dump : source.dumps) dumps_.push_back(dumpReference(dump));

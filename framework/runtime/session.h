@@ -51,6 +51,9 @@ struct GraphSource {
     std::filesystem::path file;
     std::vector<std::string> settings;  ///< as SessionOptions::settings
     std::vector<std::string> dumps;     ///< as SessionOptions::dumps
+    /// Stands for what is in the file, as while it is edited. Paths in it are relative to the file, faults
+    /// are placed in it.
+    std::optional<std::string> text = std::nullopt;
 };
 
 /// What a session holds and has done.
