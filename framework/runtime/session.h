@@ -61,7 +61,9 @@ struct GraphSource {
     std::vector<std::string> settings;  ///< as SessionOptions::settings
     std::vector<std::string> dumps;     ///< as SessionOptions::dumps
     std::optional<graph::Display> display = {};
-    std::optional<std::string> text = {};  ///< read in the file's place: it is edited and not saved yet
+    /// Stands for what is in the file, as while it is edited. Paths in it are relative to the file, faults
+    /// are placed in it.
+    std::optional<std::string> text = std::nullopt;
 };
 
 /// What a session holds and has done.

@@ -33,6 +33,7 @@ class GraphDocument {
     GraphDocument(std::filesystem::path file, std::shared_ptr<const graph::PassLibrary> passTypes);
 
     const std::filesystem::path& file() const { return file_; }
+    const json::Value& root() const { return root_; }                  ///< of the edited text
     const std::string& text() const { return root_.document().text; }  ///< as edited
     const std::string& savedText() const {
         return saved_.document().text;
