@@ -43,6 +43,11 @@ graph::Extent pictureSize(const std::string& text) {
     return {*width, *height};
 }
 
+runtime::Validation validationNamed(const std::string& name) {
+    if (name == "sync") return runtime::Validation::Sync;
+    return name == "core" ? runtime::Validation::Core : runtime::Validation::Off;
+}
+
 std::pair<std::string, std::string> splitAssignment(const std::string& option, const std::string& text) {
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos || equals == 0 || equals + 1 == text.size())

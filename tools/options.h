@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "graph/plan.h"
+#include "runtime/session.h"
 
 namespace nephrite::tools {
 
@@ -26,6 +27,9 @@ struct GraphArguments {
     /// See pictureSize.
     graph::Extent extent() const { return pictureSize(size); }
 };
+
+/// "sync", "core" or "off".
+runtime::Validation validationNamed(const std::string& name);
 
 /// `NAME=REST` split at the first `=`. Throws InputError if there is none.
 std::pair<std::string, std::string> splitAssignment(const std::string& option, const std::string& text);

@@ -29,8 +29,8 @@ struct LoadedGraph {
 std::unique_ptr<graph::PassLibrary> loadPassTypes(const DataFolders& folders,
                                                   const std::vector<std::filesystem::path>& passPaths);
 
-/// Reads a graph file, or `text` in its stead, applies `--set` settings, adds what `display` asks for and links it.
-/// Throws InputError.
+/// Reads a graph file, or `text` in its stead, applies `--set` settings, adds what `display` asks for and
+/// links it. Throws InputError.
 LoadedGraph loadGraph(const std::filesystem::path& file, const std::vector<std::string>& settings,
                       const DataFolders& folders, const std::vector<std::filesystem::path>& passPaths,
                       const std::optional<std::string>& text = std::nullopt,

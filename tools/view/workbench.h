@@ -9,20 +9,14 @@
 #include <string>
 #include <vector>
 
-#include "document/graph_document.h"
-#include "image/metrics/metrics.h"
+#include "document/live_graph.h"
+#include "image/inspect.h"
 #include "runtime/session.h"
 #include "view/orbit_camera.h"
 #include "view/pass_times.h"
 #include "view/picture_choice.h"
 
 namespace nephrite::view {
-
-/// The picture's error against the reference.
-struct LiveError {
-    image::Metrics metrics;
-    std::uint64_t frame = 0;
-};
 
 class Workbench {
   public:
@@ -39,10 +33,11 @@ class Workbench {
     void redo();
     void save();
 
-    /// Looks at another port, or at the same otherwise. The exposure of another port is automatic.
-    void look(const PictureChoice& choice);
+    /// Looks at another port, or at the same otherwise. Another port is seen from its first level and layer,
+    /// and its exposure is automatic.
+    void look(PictureChoice choice);
     /// Sets the exposure so that the next frame's picture is neither black nor white.
-    void exposeAutomatically() { wantsExposure_ = true, isDirty_ = true; }
+    void exposeAutomatically();
     void resize(graph::Extent size);
 
     /// The camera, to be moved; the next frame is seen from there.
@@ -83,17 +78,17 @@ class Workbench {
   private:
     using Clock = std::chrono::steady_clock;
 
-    runtime::GraphSource source() const;
+    document::Extras extras() const { return {{}, displayOf(choice_)}; }
     void showDocument();
-    void showSetting(const std::string& setting);
-    void applyExposure();
-    void sendChoice(const PictureChoice& before);
-    void changed();
+    void applyChoice();
+    void setExposure();
+    void markDirty();
 
-    std::unique_ptr<runtime::Session> session_;
+    runtime::SessionOptions options_;
     document::GraphDocument document_;
-    std::string shownText_;  ///< of the document, as the session renders it
     PictureChoice choice_;
+    std::unique_ptr<runtime::Session> session_;
+    document::LiveGraph live_;
     OrbitCamera camera_;
     PassTimes times_;
     double time_ = 0;
@@ -105,7 +100,7 @@ class Workbench {
 
     std::optional<image::Image> values_;
     std::optional<image::Image> reference_;
-    std::optional<LiveError> error_;
+    std::optional<image::ReferenceError> error_;
 };
 
 }  // namespace nephrite::view
