@@ -68,7 +68,7 @@ class Workbench {
     const image::Image& values();
     /// Nothing without a reference. Computed anew for another frame. Throws InputError if the two cannot be
     /// compared.
-    const std::optional<LiveError>& error();
+    const std::optional<image::ReferenceError>& error();
     const std::optional<image::Image>& reference() const { return reference_; }
 
     /// What was looked at, as the screen shows it or with its true values.
