@@ -169,8 +169,7 @@ void answerMouse(Viewer& viewer, const Screen& screen) {
     const graph::Index under = nodeUnder(state.graph, screen, ImGui::GetMousePos());
     if (under == graph::noIndex) {
         if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) state.graph.zoom = 0;
-        if (ImGui::IsMouseReleased(ImGuiMouseButton_Left) && !ImGui::IsMouseDragPastThreshold(0))
-            state.selectedNode.clear();
+        if (ImGui::IsMouseReleased(ImGuiMouseButton_Left)) state.selectedNode.clear();
         return;
     }
     const graph::DrawnNode& node = state.graph.drawing.nodes[under];
