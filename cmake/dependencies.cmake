@@ -25,3 +25,8 @@ find_package(SPIRV-Tools REQUIRED)
 find_package(SPIRV-Tools-opt REQUIRED)
 find_package(SPIRV-Tools-link REQUIRED)
 find_package(glslang REQUIRED)
+
+# Windows. ImGui's package has no CMake configuration.
+find_package(glfw3 REQUIRED)
+pkg_check_modules(imgui REQUIRED IMPORTED_TARGET imgui)
+add_library(ImGui::imgui ALIAS PkgConfig::imgui)

@@ -76,6 +76,7 @@ int main(int argc, char** argv) {
     app.require_subcommand(1);
     nephrite::tools::Action action;
     nephrite::tools::addRenderVerb(app, action);
+    nephrite::tools::addViewVerb(app, action);
     nephrite::tools::addPlanVerb(app, action);
     nephrite::tools::addCheckVerb(app, action);
     nephrite::tools::addPassesVerb(app, action);

@@ -44,6 +44,11 @@ graph::Extent pictureSize(const std::string& text) {
     return {*width, *height};
 }
 
+runtime::Validation validationNamed(const std::string& name) {
+    if (name == "sync") return runtime::Validation::Sync;
+    return name == "core" ? runtime::Validation::Core : runtime::Validation::Off;
+}
+
 CLI::Validator wholeNumber(std::uint64_t least, std::uint64_t most) {
     return {[least, most](const std::string& text) {
                 std::uint64_t value = 0;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "graph/plan.h"
+#include "runtime/session.h"
 #include "truth/tiles.h"
 
 namespace nephrite::tools {
@@ -35,6 +36,9 @@ struct GraphArguments {
 
 /// `I/N` of --part. Throws InputError unless 1 <= I <= N <= 1000000.
 truth::Part partOf(const std::string& text);
+
+/// "sync", "core" or "off".
+runtime::Validation validationNamed(const std::string& name);
 
 /// `NAME=REST` split at the first `=`. Throws InputError if there is none.
 std::pair<std::string, std::string> splitAssignment(const std::string& option, const std::string& text);

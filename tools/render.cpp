@@ -95,11 +95,6 @@ std::vector<Target> targetsOf(const RenderArguments& arguments) {
     return targets;
 }
 
-runtime::Validation validationOf(const std::string& name) {
-    if (name == "sync") return runtime::Validation::Sync;
-    return name == "core" ? runtime::Validation::Core : runtime::Validation::Off;
-}
-
 runtime::SessionOptions sessionOptions(const RenderArguments& arguments) {
     runtime::SessionOptions options;
     options.graph = arguments.graph.graph;
@@ -111,7 +106,7 @@ runtime::SessionOptions sessionOptions(const RenderArguments& arguments) {
         options.dumps.push_back(splitAssignment("--dump", dump).first);
     options.time = arguments.time;
     options.device = arguments.device;
-    options.validation = validationOf(arguments.validation);
+    options.validation = validationNamed(arguments.validation);
     options.skip = !arguments.noSkip;
     options.profile = arguments.profile;
     options.omitBarrier = arguments.omitBarrier;

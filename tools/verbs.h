@@ -11,6 +11,7 @@ namespace nephrite::tools {
 using Action = std::function<void()>;
 
 void addRenderVerb(CLI::App& app, Action& action);
+void addViewVerb(CLI::App& app, Action& action);
 void addPlanVerb(CLI::App& app, Action& action);
 void addCheckVerb(CLI::App& app, Action& action);
 void addSchemaVerb(CLI::App& app, Action& action);

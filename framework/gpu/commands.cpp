@@ -55,6 +55,22 @@ void Commands::submit() {
     submitted_ = true;
 }
 
+void Commands::submit(const VkSemaphoreSubmitInfo& waitFor, const VkSemaphoreSubmitInfo& signal) {
+    VkCommandBufferSubmitInfo commandInfo{};
+    commandInfo.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO;
+    commandInfo.commandBuffer = buffer_;
+    VkSubmitInfo2 info{};
+    info.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2;
+    info.waitSemaphoreInfoCount = 1;
+    info.pWaitSemaphoreInfos = &waitFor;
+    info.commandBufferInfoCount = 1;
+    info.pCommandBufferInfos = &commandInfo;
+    info.signalSemaphoreInfoCount = 1;
+    info.pSignalSemaphoreInfos = &signal;
+    device_.submit(info, fence_.get());
+    submitted_ = true;
+}
+
 void Commands::wait() {
     if (!submitted_) return;
     submitted_ = false;

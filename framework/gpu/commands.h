@@ -25,6 +25,8 @@ class Commands {
     void begin();
     void end();
     void submit();
+    /// The same, started when `waitFor` is signalled; `signal` is signalled when it is done.
+    void submit(const VkSemaphoreSubmitInfo& waitFor, const VkSemaphoreSubmitInfo& signal);
     /// Returns when the submission is done. Throws RunError if the device was lost.
     void wait();
 

@@ -58,14 +58,24 @@ PhysicalDevice chooseDevice(const std::vector<PhysicalDevice>& devices, const st
     return *match;
 }
 
+/// Throws RunError if that leaves none of several.
+void keepThoseThatPresent(std::vector<PhysicalDevice>& devices, VkInstance instance,
+                          const Presentation& presentation) {
+    const bool hadOne = !devices.empty();
+    std::erase_if(devices, [&](const PhysicalDevice& device) {
+        return device.queueFamily && !presentation.isSupported(instance, device.handle, *device.queueFamily);
+    });
+    if (hadOne && devices.empty()) throw RunError("no Vulkan device can show pictures in a window here");
+}
+
 }  // namespace
 
 Device::Device(const DeviceOptions& options)
     : log_(std::make_unique<ValidationLog>()), submitsLeft_(options.loseDeviceAtSubmit) {
     try {
         createInstance(options);
-        choosePhysicalDevice(options.name);
-        createDevice();
+        choosePhysicalDevice(options);
+        createDevice(options);
     } catch (...) {
         destroy();
         throw;
@@ -108,6 +118,10 @@ void Device::createInstance(const DeviceOptions& options) {
         layers.push_back(validationLayerName);
         extensions = {VK_EXT_DEBUG_UTILS_EXTENSION_NAME, VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME};
     }
+    if (options.presentation) {
+        for (const std::string& extension : options.presentation->instanceExtensions)
+            extensions.push_back(extension.c_str());
+    }
     const VkResult created =
         createVulkanInstance(layers, extensions, validate ? &features : nullptr, &instance_);
     if (created == VK_ERROR_INCOMPATIBLE_DRIVER) throw RunError(std::string(noDriverMessage));
@@ -121,8 +135,10 @@ void Device::createInstance(const DeviceOptions& options) {
         vkGetInstanceProcAddr(instance_, "vkSetDebugUtilsObjectNameEXT"));
 }
 
-void Device::choosePhysicalDevice(const std::string& name) {
-    const PhysicalDevice chosen = chooseDevice(physicalDevices(instance_), name);
+void Device::choosePhysicalDevice(const DeviceOptions& options) {
+    std::vector<PhysicalDevice> devices = physicalDevices(instance_);
+    if (options.presentation) keepThoseThatPresent(devices, instance_, *options.presentation);
+    const PhysicalDevice chosen = chooseDevice(devices, options.name);
     physicalDevice_ = chosen.handle;
     queueFamily_ = *chosen.queueFamily;
     VkPhysicalDeviceDriverProperties driver{};
@@ -142,7 +158,7 @@ void Device::choosePhysicalDevice(const std::string& name) {
     timestampValidBits_ = families[queueFamily_].timestampValidBits;
 }
 
-void Device::createDevice() {
+void Device::createDevice(const DeviceOptions& options) {
     FeatureChain supported;
     vkGetPhysicalDeviceFeatures2(physicalDevice_, &supported.features);
     FeatureChain enabled;
@@ -166,6 +182,11 @@ void Device::createDevice() {
     info.pNext = &enabled.features;
     info.queueCreateInfoCount = 1;
     info.pQueueCreateInfos = &queueInfo;
+    const char* const swapchain = VK_KHR_SWAPCHAIN_EXTENSION_NAME;
+    if (options.presentation) {
+        info.enabledExtensionCount = 1;
+        info.ppEnabledExtensionNames = &swapchain;
+    }
     gpu::check(vkCreateDevice(physicalDevice_, &info, nullptr, &device_),
                fmt::format("cannot open \"{}\"", deviceName_));
     vkGetDeviceQueue(device_, queueFamily_, 0, &queue_);
@@ -189,10 +210,19 @@ void Device::submit(VkCommandBuffer commands, VkFence fence) const {
     info.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2;
     info.commandBufferInfoCount = 1;
     info.pCommandBufferInfos = &commandInfo;
+    submit(info, fence);
+}
+
+void Device::submit(const VkSubmitInfo2& info, VkFence fence) const {
     const std::scoped_lock lock(queueMutex_);
     const bool lost = submitsLeft_ && *submitsLeft_ == 0;
     if (submitsLeft_ && !lost) --*submitsLeft_;
     check(lost ? VK_ERROR_DEVICE_LOST : vkQueueSubmit2(queue_, 1, &info, fence), "cannot submit commands");
+}
+
+VkResult Device::present(const VkPresentInfoKHR& info) const {
+    const std::scoped_lock lock(queueMutex_);
+    return vkQueuePresentKHR(queue_, &info);
 }
 
 void Device::check(VkResult result, std::string_view what) const {

@@ -1,4 +1,4 @@
-// A Vulkan 1.3 device without a window: instance, validation, the choice of device, one queue.
+// A Vulkan 1.3 device, with a window or without: instance, validation, the choice of device, one queue.
 //
 // Everything else in this room takes a `const Device&` and must be destroyed before it.
 #pragma once
@@ -15,6 +15,8 @@
 #include <string_view>
 #include <vector>
 
+#include "gpu/presentation.h"
+
 namespace nephrite::gpu {
 
 /// Off: no layer. Core: the validation layer. Sync: also checks for missing barriers (slow).
@@ -25,6 +27,8 @@ struct DeviceOptions {
     Validation validation = Validation::Off;
     /// The submissions that succeed before the device counts as lost: a fault to test what follows from it.
     std::optional<std::uint32_t> loseDeviceAtSubmit = {};
+    /// The device can also show pictures in the windows that this is of.
+    std::optional<Presentation> presentation = {};
 };
 
 struct DeviceSummary {
@@ -88,6 +92,10 @@ class Device {
     /// Submits one command buffer; `fence` is signalled when it is done. May be called from any thread.
     /// Throws RunError if the device was lost.
     void submit(VkCommandBuffer commands, VkFence fence) const;
+    /// Submits what is described in full. Throws as the other one.
+    void submit(const VkSubmitInfo2& info, VkFence fence) const;
+    /// Hands images to the window system and returns what it answers.
+    VkResult present(const VkPresentInfoKHR& info) const;
     void waitIdle() const;
 
     /// As gpu::check; a lost device is named: `DEVICE: error: the device was lost ...`, and lost() from then
@@ -115,8 +123,8 @@ class Device {
 
     void destroy();
     void createInstance(const DeviceOptions& options);
-    void choosePhysicalDevice(const std::string& name);
-    void createDevice();
+    void choosePhysicalDevice(const DeviceOptions& options);
+    void createDevice(const DeviceOptions& options);
 
     std::unique_ptr<ValidationLog> log_;
     VkInstance instance_ = VK_NULL_HANDLE;

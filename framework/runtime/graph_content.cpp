@@ -11,7 +11,7 @@ GraphContent::GraphContent(GraphSource source, const DataFolders& folders,
                            const std::vector<std::filesystem::path>& passPaths,
                            const graph::LinkedGraph* before)
     : source_(std::move(source)),
-      loaded_(loadGraph(source_.file, source_.settings, folders, passPaths, source_.text)),
+      loaded_(loadGraph(source_.file, source_.settings, folders, passPaths, source_.text, source_.display)),
       importFiles_(std::make_shared<const std::vector<image::Image>>(readImports(graph().description))) {
     values = std::make_shared<graph::ParameterValues>(loaded_.graph->values);
     for (const std::string& dump : source_.dumps) dumps_.push_back(dumpReference(dump));

@@ -19,12 +19,13 @@ std::unique_ptr<graph::PassLibrary> loadPassTypes(const DataFolders& folders,
 
 LoadedGraph loadGraph(const std::filesystem::path& file, const std::vector<std::string>& settings,
                       const DataFolders& folders, const std::vector<std::filesystem::path>& passPaths,
-                      const std::optional<std::string>& text) {
+                      const std::optional<std::string>& text, const std::optional<graph::Display>& display) {
     LoadedGraph loaded;
     loaded.passTypes = loadPassTypes(folders, passPaths);
     graph::GraphDescription description =
         graph::readGraph(text ? json::parse(*text, file.string()) : json::parseFile(file));
     for (const std::string& setting : settings) graph::applySetting(description, setting);
+    if (display) graph::addDisplay(description, *display, *loaded.passTypes);
     loaded.graph = graph::link(std::move(description), *loaded.passTypes);
     return loaded;
 }

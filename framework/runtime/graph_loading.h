@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "graph/compile.h"
+#include "graph/display.h"
 #include "runtime/data_folders.h"
 #include "scene/scene.h"
 
@@ -28,10 +29,12 @@ struct LoadedGraph {
 std::unique_ptr<graph::PassLibrary> loadPassTypes(const DataFolders& folders,
                                                   const std::vector<std::filesystem::path>& passPaths);
 
-/// Reads a graph file, or `text` in its stead, applies `--set` settings and links it. Throws InputError.
+/// Reads a graph file, or `text` in its stead, applies `--set` settings, adds what `display` asks for and
+/// links it. Throws InputError.
 LoadedGraph loadGraph(const std::filesystem::path& file, const std::vector<std::string>& settings,
                       const DataFolders& folders, const std::vector<std::filesystem::path>& passPaths,
-                      const std::optional<std::string>& text = std::nullopt);
+                      const std::optional<std::string>& text = std::nullopt,
+                      const std::optional<graph::Display>& display = std::nullopt);
 
 /// Reads a scene file, whose facts are those of `time` seconds; an empty path is the default scene. Throws
 /// InputError.

@@ -43,6 +43,19 @@ graph::Subresources partOf(const graph::Plan& plan, const graph::RequestedOutput
     return part;
 }
 
+graph::RequestedOutput onePart(const graph::Plan& plan, const graph::RequestedOutput& output,
+                               std::uint32_t mip, std::uint32_t layer) {
+    if (output.resource == graph::noIndex) return output;
+    const graph::Subresources part = partOf(plan, output);
+    if (mip >= part.mips || layer >= part.layers)
+        throw RunError(fmt::format("{}: error: it has {} level{} and {} layer{}", output.name, part.mips,
+                                   part.mips == 1 ? "" : "s", part.layers, part.layers == 1 ? "" : "s"));
+    graph::RequestedOutput one = output;
+    one.mip = static_cast<std::uint16_t>(part.baseMip + mip);
+    one.layer = static_cast<std::uint16_t>(part.baseLayer + layer);
+    return one;
+}
+
 image::Image readOutput(const gpu::Device& device, const graph::Plan& plan, const FrameResources& resources,
                         const graph::RequestedOutput& output) {
     if (output.resource == graph::noIndex)

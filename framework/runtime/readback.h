@@ -17,6 +17,10 @@ VkImageLayout layoutAfterFrame(const graph::Resource& resource);
 image::Image readOutput(const gpu::Device& device, const graph::Plan& plan, const FrameResources& resources,
                         const graph::RequestedOutput& output);
 
+/// One level and layer of what an output shows, counted within that. Throws RunError if it has no such.
+graph::RequestedOutput onePart(const graph::Plan& plan, const graph::RequestedOutput& output,
+                               std::uint32_t mip, std::uint32_t layer);
+
 /// The part of its resource that an output shows.
 graph::Subresources partOf(const graph::Plan& plan, const graph::RequestedOutput& output);
 

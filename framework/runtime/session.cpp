@@ -22,6 +22,7 @@ gpu::DeviceOptions deviceOptions(const SessionOptions& options) {
     gpu::DeviceOptions result;
     result.name = options.device;
     result.loseDeviceAtSubmit = options.loseDeviceAtSubmit;
+    if (options.presentation) result.presentation = *options.presentation;
     switch (options.validation) {
         case Validation::Off:
             result.validation = gpu::Validation::Off;
@@ -53,7 +54,8 @@ struct Session::State {
     State(const SessionOptions& sessionOptions, const DataFolders& dataFolders,
           std::filesystem::file_time_type began)
         : State(sessionOptions, dataFolders, began,
-                GraphContent({sessionOptions.graph, sessionOptions.settings, sessionOptions.dumps, {}},
+                GraphContent({sessionOptions.graph, sessionOptions.settings, sessionOptions.dumps, {}, std::nullopt,
+                              sessionOptions.display},
                              dataFolders, sessionOptions.passPaths)) {}
     State(const SessionOptions& sessionOptions, const DataFolders& dataFolders,
           std::filesystem::file_time_type began, GraphContent graphContent)
@@ -238,6 +240,12 @@ struct Session::State {
         programs.exchange(otherPrograms);
     }
 
+    const graph::RequestedOutput& requested(const std::string& name) const {
+        for (const graph::RequestedOutput& output : executor->plan().requested)
+            if (output.name == name) return output;
+        throw RunError(fmt::format("{} is neither an output nor a dump of this session", name));
+    }
+
     void checkValidation() const {
         if (const std::size_t count = device.validationMessages(); count != 0)
             throw RunError(fmt::format("{} validation message{}", count, count == 1 ? "" : "s"));
@@ -328,14 +336,29 @@ std::vector<std::filesystem::path> Session::files() const {
 
 image::Image Session::read(const std::string& name) {
     state_->executor->waitForFrames();
+    image::Image image = readOutput(state_->device, state_->executor->plan(), state_->executor->resources(),
+                                    state_->requested(name));
+    state_->checkValidation();
+    return image;
+}
+
+image::Image Session::read(const std::string& name, std::uint32_t mip, std::uint32_t layer) {
+    state_->executor->waitForFrames();
     const graph::Plan& plan = state_->executor->plan();
-    for (const graph::RequestedOutput& output : plan.requested) {
-        if (output.name != name) continue;
-        image::Image image = readOutput(state_->device, plan, state_->executor->resources(), output);
-        state_->checkValidation();
-        return image;
-    }
-    throw RunError(fmt::format("{} is neither an output nor a dump of this session", name));
+    image::Image image = readOutput(state_->device, plan, state_->executor->resources(),
+                                    onePart(plan, state_->requested(name), mip, layer));
+    state_->checkValidation();
+    return image;
+}
+
+std::optional<ExportedImage> Session::exported(const std::string& name) const {
+    const graph::Plan& plan = state_->executor->plan();
+    const graph::RequestedOutput& output = state_->requested(name);
+    if (output.resource == graph::noIndex) return std::nullopt;
+    const graph::Resource& resource = plan.resources[output.resource];
+    if (resource.isBuffer || layoutAfterFrame(resource) != VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL)
+        return std::nullopt;
+    return ExportedImage{&state_->executor->resources().image(output.resource), partOf(plan, output)};
 }
 
 const graph::Plan& Session::plan() const {
@@ -346,6 +369,9 @@ const graph::ParameterValues& Session::parameters() const {
 }
 const Diagnostics& Session::diagnostics() const {
     return state_->diagnostics;
+}
+const gpu::Device& Session::device() const {
+    return state_->device;
 }
 const std::string& Session::deviceName() const {
     return state_->device.deviceName();

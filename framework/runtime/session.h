@@ -7,10 +7,17 @@
 #include <string>
 #include <vector>
 
+#include "graph/display.h"
 #include "graph/plan.h"
 #include "image/image.h"
 #include "runtime/timings.h"
 #include "text/diagnostics.h"
+
+namespace nephrite::gpu {
+class Device;
+class Image;
+struct Presentation;
+}  // namespace nephrite::gpu
 
 namespace nephrite::scene {
 class Scene;
@@ -27,8 +34,9 @@ struct SessionOptions {
     graph::Extent size{512, 512};
     std::vector<std::string> settings;  ///< each `NODE.PARAM=JSON` or `PARAM=JSON`
     std::vector<std::string> dumps;     ///< each `NODE.PORT`
-    double time = 0;                    ///< seconds, of the scene the graph is compiled for
-    std::string device;                 ///< part of a device's name; empty: the best there is
+    std::optional<graph::Display> display;
+    double time = 0;     ///< seconds, of the scene the graph is compiled for
+    std::string device;  ///< part of a device's name; empty: the best there is
     Validation validation = Validation::Off;
     std::vector<std::filesystem::path> passPaths;
     bool skip = true;
@@ -41,6 +49,7 @@ struct SessionOptions {
     bool auditSkips = false;
     std::uint32_t framesInFlight = 2;
     graph::Policy policy = graph::Policy::Barriers;
+    std::shared_ptr<const gpu::Presentation> presentation;  ///< null: no window
     bool plain = false;  ///< in the order of declaration, no memory shared: what other plans are held against
     std::optional<std::uint32_t>
         loseDeviceAtSubmit;  ///< submissions before the device counts as lost, to see that it is reported
@@ -57,6 +66,7 @@ struct GraphSource {
     /// Stands for what is in the file, as while it is edited. Paths in it are relative to the file, faults
     /// are placed in it.
     std::optional<std::string> text = std::nullopt;
+    std::optional<graph::Display> display = std::nullopt;  ///< as SessionOptions::display
 };
 
 class Draft;
@@ -68,6 +78,12 @@ struct SessionFigures {
     std::size_t deviceAllocations = 0;
     std::uint64_t plans = 0;      ///< made so far
     std::uint64_t pipelines = 0;  ///< built so far
+};
+
+/// A requested image where a frame leaves it.
+struct ExportedImage {
+    const gpu::Image* image = nullptr;  ///< valid until the next plan is made
+    graph::Subresources part;           ///< its levels and layers that were requested
 };
 
 /// Everything needed to render one graph of one scene at one size.
@@ -118,12 +134,20 @@ class Session {
     /// An output ("color") or a dump ("gbuffer.position") of the last frame. Several layers or mips become
     /// channels "layer1.R", "mip2.R"; layer 0 of level 0 is plain "R".
     image::Image read(const std::string& name);
+    /// The same of one level and layer alone; its channels are R, G, B, A. Throws RunError if there is no
+    /// such.
+    image::Image read(const std::string& name, std::uint32_t mip, std::uint32_t layer);
+    /// The same output on the device, in VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL after each frame and until the
+    /// next one. What reads it needs a barrier behind the frame, and to be done before the next plan is made.
+    /// Nothing if nothing computes it, if it is a buffer, or if something keeps it in another layout.
+    std::optional<ExportedImage> exported(const std::string& name) const;
 
     const graph::Plan& plan() const;  ///< of the next frame; points to pass types of the session: a copy must
                                       ///< not outlive it
     const graph::ParameterValues& parameters() const;  ///< as they are now
     const Diagnostics& diagnostics() const;            ///< warnings so far
     const scene::Scene& scene() const;
+    const gpu::Device& device() const;
     const std::string& deviceName() const;
     const std::string& driverName() const;
     SessionFigures figures() const;

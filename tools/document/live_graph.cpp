@@ -52,12 +52,18 @@ std::string defaultOf(const graph::LinkedGraph& graph, const std::string& target
     return {};
 }
 
+bool areTheSame(const Extras& a, const Extras& b) {
+    if (a.dumps != b.dumps || a.display.has_value() != b.display.has_value()) return false;
+    return !a.display || (a.display->port == b.display->port && a.display->reference == b.display->reference);
+}
+
 }  // namespace
 
-runtime::GraphSource sourceOf(const GraphDocument& document, std::vector<std::string> dumps) {
+runtime::GraphSource sourceOf(const GraphDocument& document, Extras extras) {
     runtime::GraphSource source;
     source.file = document.file();
-    source.dumps = std::move(dumps);
+    source.dumps = std::move(extras.dumps);
+    source.display = std::move(extras.display);
     source.text = document.text();
     return source;
 }
@@ -73,22 +79,23 @@ std::optional<std::string> settingBetween(const graph::LinkedGraph& graph, const
     return fmt::format("{}={}", *target, now ? std::string(now->sourceText()) : defaultOf(graph, *target));
 }
 
-LiveGraph::LiveGraph(runtime::Session& session, const GraphDocument& shown, std::vector<std::string> dumps)
-    : session_(session), graph_(shown.graph()), root_(shown.root()), dumps_(std::move(dumps)) {}
+LiveGraph::LiveGraph(runtime::Session& session, const GraphDocument& shown, Extras extras)
+    : session_(session), graph_(shown.graph()), root_(shown.root()), extras_(std::move(extras)) {}
 
-bool LiveGraph::show(const GraphDocument& document, const std::vector<std::string>& dumps) {
-    const bool isShown = document.text() == root_.document().text && dumps == dumps_;
+bool LiveGraph::show(const GraphDocument& document, const Extras& extras) {
+    const bool hasExtras = areTheSame(extras, extras_);
+    const bool isShown = document.text() == root_.document().text && hasExtras;
     if (!isShown) {
-        const auto setting = dumps == dumps_ ? settingBetween(*graph_, root_, document.root()) : std::nullopt;
+        const auto setting = hasExtras ? settingBetween(*graph_, root_, document.root()) : std::nullopt;
         if (setting) {
             session_.set(*setting);
         } else {
-            session_.setGraph(sourceOf(document, dumps));
+            session_.setGraph(sourceOf(document, extras));
         }
     }
     graph_ = document.graph();
     root_ = document.root();
-    dumps_ = dumps;
+    extras_ = extras;
     return !isShown;
 }
 

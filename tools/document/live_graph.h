@@ -10,8 +10,14 @@
 
 namespace nephrite::document {
 
-/// The edited text as a session takes it, with the ports that are wanted beside the graph's outputs.
-runtime::GraphSource sourceOf(const GraphDocument& document, std::vector<std::string> dumps);
+/// What a session is to do with a graph beside what its file says.
+struct Extras {
+    std::vector<std::string> dumps;         ///< ports wanted beside the graph's outputs
+    std::optional<graph::Display> display;  ///< the port that is looked at
+};
+
+/// The edited text as a session takes it.
+runtime::GraphSource sourceOf(const GraphDocument& document, Extras extras);
 
 /// The setting (`NODE.PARAM=JSON`) that makes `graph`, whose text is `before`, what `after` says, if they
 /// differ in the value of one parameter and no binding.
@@ -21,19 +27,19 @@ std::optional<std::string> settingBetween(const graph::LinkedGraph& graph, const
 class LiveGraph {
   public:
     /// The session, which must outlive this, renders the document's file as `shown` has it.
-    LiveGraph(runtime::Session& session, const GraphDocument& shown, std::vector<std::string> dumps);
+    LiveGraph(runtime::Session& session, const GraphDocument& shown, Extras extras);
 
-    /// Brings the session to the document and the dumps, from the next frame on; true if it had to change.
+    /// Brings the session to the document and the extras, from the next frame on; true if it had to change.
     /// One parameter's value goes by Session::set, anything else by Session::setGraph, in which history and
-    /// programs of passes that stay the same go on. Throws as these do, and then the session shows what it
-    /// did.
-    bool show(const GraphDocument& document, const std::vector<std::string>& dumps);
+    /// programs of passes that stay the same go on. A display's settings count only where the graph is set
+    /// anew: they are parameters, too. Throws as these do, and then the session shows what it did.
+    bool show(const GraphDocument& document, const Extras& extras);
 
   private:
     runtime::Session& session_;
     std::shared_ptr<const graph::LinkedGraph> graph_;
     json::Value root_;
-    std::vector<std::string> dumps_;
+    Extras extras_;
 };
 
 }  // namespace nephrite::document

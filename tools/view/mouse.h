@@ -1,0 +1,14 @@
+// What the mouse and the keys do over the picture.
+#pragma once
+
+namespace nephrite::view {
+
+class Viewer;
+
+/// Between UserInterface::begin() and end(): turns what the mouse did over the picture into movements of the
+/// camera or of the magnified picture.
+void followMouse(Viewer& viewer);
+/// Runs the commands whose keys were pressed, unless somebody types text.
+void followKeys(Viewer& viewer);
+
+}  // namespace nephrite::view

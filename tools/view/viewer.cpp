@@ -1,0 +1,198 @@
+// The loop of the viewer.
+#include "view/viewer.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <utility>
+
+#include "gpu/device.h"
+#include "image/png.h"
+#include "view/commands.h"
+#include "view/mouse.h"
+#include "view/panels/panels.h"
+
+namespace nephrite::view {
+namespace {
+
+/// The controls look at input once more after it has come, and some only then know how large they are.
+constexpr std::uint32_t picturesToRest = 3;
+/// The longest sleep: nothing depends on it, as whatever happens wakes the window.
+constexpr double longestSleep = 5;
+constexpr double gapBetweenPictures = 4;
+
+runtime::SessionOptions forWindow(runtime::SessionOptions options, const WindowLibrary& library) {
+    options.presentation = std::make_shared<const gpu::Presentation>(library.presentation());
+    options.reuse = true;
+    options.profile = true;
+    return options;
+}
+
+}  // namespace
+
+Viewer::Viewer(const ViewerOptions& options)
+    : window_(library_, "Nephrite", options.width, options.height),
+      bench_(forWindow(options.session, library_), Window::wake),
+      surface_(window_.makeSurface(bench_.session().device().instance())),
+      presenter_(bench_.session().device(), surface_.get(), gpu::PresentMode::Fifo) {
+    for (const Diagnostic& warning : bench_.session().diagnostics().warnings())
+        fmt::print(stderr, "{}\n", toLine(warning, "warning"));
+    if (!options.script.empty()) script_ = std::make_unique<CommandInput>(options.script, Window::wake);
+}
+
+void Viewer::attempt(const std::function<void()>& action) {
+    faults_.attempt(action);
+    if (bench_.isDeviceLost()) throw RunError("the device was lost");
+}
+
+const image::Image* Viewer::valuesIfKnown() {
+    try {
+        return &bench_.values();
+    } catch (const std::runtime_error&) {
+        return nullptr;  // the inspector says what there is to see instead
+    }
+}
+
+std::optional<image::ReferenceError> Viewer::errorIfKnown() {
+    return valuesIfKnown() == nullptr ? std::nullopt : bench_.error();
+}
+
+void Viewer::run() {
+    while (!window_.isToClose()) {
+        if (hasWork())
+            window_.poll();
+        else
+            window_.wait(longestSleep);
+        if (window_.takeActivity()) pictures_ = picturesToRest;
+        presenter_.waitForAll();
+        betweenFrames();
+        const VkExtent2D pixels = window_.pixels();
+        if (bench_.isDirty()) {
+            attempt([&] { bench_.render(); });
+            pictures_ = std::max(pictures_, 1U);
+        }
+        if (pictures_ > 0 && presenter_.prepare(pixels)) draw(pixels);
+        if (pixels.width == 0) pictures_ = 0;
+        answerScript();
+    }
+    if (const std::size_t count = bench_.session().device().validationMessages(); count != 0)
+        throw RunError(fmt::format("{} validation message{}", count, count == 1 ? "" : "s"));
+}
+
+/// Here, and while the controls are made, what is shown may change: nothing of it is being drawn.
+void Viewer::betweenFrames() {
+    takeSaved();
+    if (!script_ || answers_) return;
+    const std::optional<std::string> line = script_->next();
+    if (!line) return;
+    attempt([&] { runCommand(*this, *line); });
+    answers_ = true;
+    pictures_ = picturesToRest;
+}
+
+void Viewer::takeSaved() {
+    const std::optional<runtime::Reload> saved = bench_.takeSaved();
+    if (!saved) return;
+    const std::vector<std::string> lines = toLines(*saved);
+    if (saved->faults.empty()) {
+        fileFaults_.clear();
+        state_.message = lines.empty() ? std::string() : lines.back();
+    } else {
+        fileFaults_.report(lines);
+    }
+    pictures_ = picturesToRest;
+}
+
+std::vector<std::string> Viewer::bannerLines() const {
+    std::vector<std::string> lines = faults_.lines();
+    lines.insert(lines.end(), fileFaults_.lines().begin(), fileFaults_.lines().end());
+    return lines;
+}
+
+/// The answer to a command comes when its picture is shown, so that who waits for it sees what it did.
+void Viewer::answerScript() {
+    if (!answers_ || hasWork()) return;
+    answers_ = false;
+    fmt::print("{}\n", faults_.lines().empty() ? "ok" : faults_.lines().front());
+    std::fflush(stdout);
+}
+
+bool Viewer::hasWork() const {
+    const bool isAnswered = !answers_ && script_ && script_->hasNext();
+    return pictures_ > 0 || bench_.isDirty() || isAnswered || state_.windowCapture.has_value();
+}
+
+void Viewer::placePictures(VkExtent2D pixels) {
+    const float scale = window_.contentScale();
+    layout_ =
+        layOut(pixels.width, pixels.height, ImGui::GetFrameHeight() + 8 * scale, scale, state_.showsLower);
+    const auto place = [&](const Area& area, const char* name) {
+        const auto exported = bench_.session().exported(name);
+        const VkExtent2D extent = exported ? exported->image->extent() : VkExtent2D{0, 0};
+        PicturePlacement placement(area, extent.width, extent.height);
+        placement.magnify(state_.magnification.factor, state_.magnification.center);
+        return placement;
+    };
+    referencePlacement_.reset();
+    if (bench_.choice().reference.empty()) {
+        placement_ = place(layout_.picture, graph::pictureName);
+        return;
+    }
+    const Halves halves = halvesOf(layout_.picture, gapBetweenPictures * scale);
+    placement_ = place(halves.left, graph::pictureName);
+    referencePlacement_ = place(halves.right, graph::referenceName);
+}
+
+void Viewer::draw(VkExtent2D pixels) {
+    if (!controls_)
+        controls_ = std::make_unique<UserInterface>(window_, bench_.session().device(), presenter_);
+    placePictures(pixels);
+    controls_->begin();
+    followMouse(*this);
+    followKeys(*this);
+    drawPanels(*this);
+    controls_->end();
+    if (bench_.isDirty()) attempt([&] { bench_.render(); });
+    placePictures(pixels);
+    present(shownImages(pixels));
+    updateTitle();
+}
+
+std::vector<ShownImage> Viewer::shownImages(VkExtent2D pixels) const {
+    std::vector<ShownImage> images;
+    const auto add = [&](const PicturePlacement& placement, const char* name) {
+        const auto exported = bench_.session().exported(name);
+        const auto blit =
+            placement.blit(static_cast<std::int32_t>(pixels.width), static_cast<std::int32_t>(pixels.height));
+        if (exported && blit) images.push_back({exported->image, *blit});
+    };
+    add(placement_, graph::pictureName);
+    if (referencePlacement_) add(*referencePlacement_, graph::referenceName);
+    return images;
+}
+
+void Viewer::present(const std::vector<ShownImage>& images) {
+    Stage stage(bench_.session().device(), presenter_, *controls_);
+    if (!state_.windowCapture) {
+        if (stage.show(images)) --pictures_;
+        return;
+    }
+    const auto picture = stage.showAndCapture(images);
+    if (!picture) return;
+    --pictures_;
+    const std::filesystem::path file = *std::exchange(state_.windowCapture, std::nullopt);
+    attempt([&] { image::writePng(file, *picture); });
+}
+
+void Viewer::updateTitle() {
+    const auto& document = bench_.document();
+    std::string title =
+        fmt::format("{}{} - Nephrite", document.isModified() ? "*" : "", document.file().filename().string());
+    if (title == title_) return;
+    title_ = std::move(title);
+    window_.setTitle(title_);
+}
+
+}  // namespace nephrite::view
