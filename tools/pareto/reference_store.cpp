@@ -18,6 +18,7 @@ bool isOf(const truth::ReferenceRequest& request, const image::Metadata& record,
         const auto attribute = found.metadata.find(name);
         if (attribute == found.metadata.end() || attribute->second != value) return false;
     }
+    if (found.metadata.contains("part")) return false;
     const auto content = found.metadata.find("content");
     return content != found.metadata.end() && content->second == "radiance";
 }

@@ -90,6 +90,7 @@ std::optional<Mode> parseMode(std::string_view text) {
 
 image::Metadata recordOf(const ReferenceRequest& request, const scene::Scene& scene) {
     image::Metadata record{{"mode", std::string(name(request.estimator.mode))},
+                           {"revision", fmt::format("{}", revisionOf(request.estimator.mode))},
                            {"scene", request.scene.string()},
                            {"sceneDigest", digestOf(scene.files())},
                            {"samples", fmt::format("{}", request.samples)},
