@@ -1,7 +1,6 @@
 // Combinations of values, and patterns.
 #include "pareto/points.h"
 
-#include <fmt/format.h>
 #include <fnmatch.h>
 
 #include <algorithm>
@@ -20,16 +19,22 @@ void append(std::vector<Point>& points, std::vector<Point> more) {
 
 }  // namespace
 
+std::vector<std::string> Point::settingTexts() const {
+    std::vector<std::string> texts;
+    for (const Setting& setting : settings) texts.push_back(setting.text());
+    return texts;
+}
+
 std::vector<Point> pointsOf(const Method& method) {
     std::vector<Point> points{{&method, method.name, {}, method.settings, true}};
     for (const Variation& variation : method.variations) {
         std::vector<Point> varied;
         for (const Point& point : points) {
-            for (const std::string& value : variation.values) {
+            for (const Setting& setting : variation) {
                 Point& next = varied.emplace_back(point);
-                next.name += fmt::format(" {}={}", variation.parameter, value);
-                next.parameters.emplace_back(variation.parameter, value);
-                next.settings.push_back(fmt::format("{}={}", variation.parameter, value));
+                next.name += " " + setting.text();
+                next.parameters.emplace_back(setting.parameter, setting.value);
+                next.settings.push_back(setting);
             }
         }
         points = std::move(varied);
@@ -61,6 +66,16 @@ std::vector<Point> pointsOf(const Suite& suite, const SuiteScene& scene, const S
     std::vector<Point> all = pointsOf(*baseline);
     append(all, std::move(points));
     return all;
+}
+
+bool needs(const std::vector<Point>& points, truth::Mode reference) {
+    return std::any_of(points.begin(), points.end(), [reference](const Point& point) {
+        const auto& sum = point.method->references;
+        const auto& against = point.method->against;
+        return std::find(sum.begin(), sum.end(), reference) != sum.end() ||
+               std::any_of(against.begin(), against.end(),
+                           [reference](const ComparedPort& port) { return port.reference == reference; });
+    });
 }
 
 }  // namespace nephrite::pareto

@@ -2,11 +2,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <limits>
 
 #include "graph/value_readers.h"
+#include "pareto/method_reader.h"
 #include "pareto/suite.h"
+#include "pareto/suite_values.h"
 
 namespace nephrite::pareto {
 namespace {
@@ -14,66 +15,12 @@ namespace {
 using json::ObjectReader;
 using json::Value;
 
-/// Parameter values of one method, multiplied out.
-constexpr std::size_t mostPoints = 256;
 constexpr std::uint32_t largestSide = 16384;
-
-void readCount(ObjectReader& object, std::string_view key, std::uint32_t least, std::uint32_t most,
-               std::uint32_t& target) {
-    const auto value = object.optional(key);
-    if (!value) return;
-    const std::string what = fmt::format("a whole number from {} to {}", least, most);
-    const auto number = value->integer(object.diagnostics(), what);
-    if (!number) return;
-    if (*number < least || *number > most)
-        object.diagnostics().error(value->where(),
-                                   fmt::format("expected {}, found {}", what, value->describe()));
-    else
-        target = static_cast<std::uint32_t>(*number);
-}
-
-/// The members of an object, or a fault.
-std::vector<std::pair<std::string, Value>> membersOf(const Value& value, std::string_view what,
-                                                     Diagnostics& diagnostics) {
-    if (!value.isObject())
-        diagnostics.error(value.where(),
-                          fmt::format("expected an object of {}, found {}", what, value.describe()));
-    return value.members();
-}
-
-/// The elements of an array that is not empty, or a fault.
-std::vector<Value> elementsOf(const Value& value, std::string_view what, Diagnostics& diagnostics) {
-    std::vector<Value> elements;
-    if (value.isArray())
-        for (std::size_t i = 0; i < value.size(); ++i) elements.push_back(value.at(i));
-    if (elements.empty())
-        diagnostics.error(value.where(),
-                          fmt::format("expected an array of {}, found {}", what, value.describe()));
-    return elements;
-}
-
-/// Names become names of files, and words of a table.
-void checkName(const std::string& name, std::string_view what, const Value& member,
-               Diagnostics& diagnostics) {
-    if (graph::isIdentifier(name, true)) return;
-    diagnostics.error(member.whereKey(),
-                      fmt::format("{} cannot be called {}: expected letters, digits, - and _, no digit first",
-                                  what, inQuotes(name)));
-}
-
-std::optional<truth::Mode> modeCalled(const std::string& name, const SourceLocation& where,
-                                      Diagnostics& diagnostics) {
-    if (const auto mode = truth::parseMode(name)) return mode;
-    static constexpr std::array<std::string_view, 3> known{"volume", "dipole", "single"};
-    diagnostics.error(where,
-                      fmt::format("expected a reference (\"volume\", \"dipole\", \"single\"), found {}{}",
-                                  inQuotes(name), suggestion(name, known)));
-    return std::nullopt;
-}
 
 ReferenceSettings readReference(truth::Mode mode, const Value& value, Diagnostics& diagnostics) {
     ReferenceSettings settings;
     settings.mode = mode;
+    settings.where = value.whereKey();
     ObjectReader object(value, "a reference", diagnostics);
     readCount(object, "spp", 1, 1U << 24, settings.samples);
     std::uint32_t seed = 1;
@@ -129,11 +76,6 @@ class SuiteReader {
         suite_.height = static_cast<std::uint32_t>((*numbers)[1]);
     }
 
-    std::filesystem::path readPath(const Value& value, std::string_view what) {
-        const auto file = value.string(diagnostics_, what);
-        return file ? (folder_ / *file).lexically_normal() : std::filesystem::path();
-    }
-
     // ---- scenes
 
     void readScenes() {
@@ -150,9 +92,11 @@ class SuiteReader {
     SuiteScene readScene(const std::string& name, const Value& value) {
         SuiteScene scene;
         scene.name = name;
-        scene.where = value.whereKey();
         ObjectReader object(value, "a scene of a suite", diagnostics_);
-        if (const auto file = object.required("scene")) scene.file = readPath(*file, "a scene file's name");
+        if (const auto file = object.required("scene")) {
+            scene.file = readPath(*file, "a scene file's name", folder_, diagnostics_);
+            scene.where = file->where();
+        }
         readCount(object, "bins", 1, largestSide, scene.bins);
         if (const auto references = object.optional("references"))
             for (const auto& [mode, settings] : membersOf(*references, "references", diagnostics_))
@@ -169,77 +113,10 @@ class SuiteReader {
         if (!methods) return;
         for (const auto& [name, value] : membersOf(*methods, "methods", diagnostics_)) {
             checkName(name, "a method", value, diagnostics_);
-            suite_.methods.push_back(readMethod(name, value));
+            suite_.methods.push_back(readMethod(name, value, folder_, diagnostics_));
         }
         if (methods->isObject() && suite_.methods.empty())
             diagnostics_.error(methods->where(), "a suite needs at least one method");
-    }
-
-    Method readMethod(const std::string& name, const Value& value) {
-        Method method;
-        method.name = name;
-        method.where = value.whereKey();
-        ObjectReader object(value, "a method", diagnostics_);
-        const auto graph = object.optional("graph");
-        const auto references = object.optional("references");
-        if (value.isObject() && graph.has_value() == references.has_value())
-            diagnostics_.error(value.where(),
-                               fmt::format("a method needs either \"graph\" or \"references\"{}",
-                                           graph ? ", found both" : ""));
-        if (graph) {
-            method.graph = readPath(*graph, "a graph file's name");
-            readGraphSettings(object, method);
-        }
-        if (references)
-            for (const Value& element : elementsOf(*references, "references", diagnostics_))
-                if (const auto mode = readMode(element)) method.references.push_back(*mode);
-        readComparisons(object, method);
-        object.finish();
-        return method;
-    }
-
-    std::optional<truth::Mode> readMode(const Value& value) {
-        const auto name = value.string(diagnostics_, "the name of a reference");
-        return name ? modeCalled(*name, value.where(), diagnostics_) : std::nullopt;
-    }
-
-    void readGraphSettings(ObjectReader& object, Method& method) {
-        if (const auto skip = object.optional("skip"))
-            method.skip = skip->boolean(diagnostics_, "true or false").value_or(true);
-        if (const auto set = object.optional("set"))
-            for (const auto& [name, value] : membersOf(*set, "parameters", diagnostics_))
-                method.settings.push_back(fmt::format("{}={}", name, value.sourceText()));
-        const auto vary = object.optional("vary");
-        if (!vary) return;
-        std::size_t points = 1;
-        for (const auto& [name, value] : membersOf(*vary, "parameters", diagnostics_)) {
-            Variation variation{name, {}};
-            for (const Value& element : elementsOf(value, "values", diagnostics_))
-                variation.values.emplace_back(element.sourceText());
-            points = std::min(points * variation.values.size(), mostPoints + 1);
-            method.variations.push_back(std::move(variation));
-        }
-        if (points > mostPoints)
-            diagnostics_.error(vary->where(),
-                               fmt::format("these make more than {} combinations", mostPoints));
-    }
-
-    void readComparisons(ObjectReader& object, Method& method) {
-        const auto against = object.optional("against");
-        if (!against) {
-            method.against = {{truth::Mode::Volume, "color"}};
-            return;
-        }
-        for (const auto& [name, value] : membersOf(*against, "ports by reference", diagnostics_)) {
-            const auto mode = modeCalled(name, value.whereKey(), diagnostics_);
-            const auto port = value.string(diagnostics_, "\"color\" or a \"node.port\"");
-            if (!mode || !port) continue;
-            if (!method.references.empty() && *port != "color")
-                diagnostics_.error(
-                    value.where(),
-                    fmt::format("references have nothing but \"color\", found {}", value.describe()));
-            method.against.push_back({*mode, *port});
-        }
     }
 
     void readBaseline() {
