@@ -130,6 +130,7 @@ TEST(Reference, SaysWhatIsWrongWithItsOptions) {
     const Workplace place;
     for (const auto& [options, message] :
          {std::pair{"--mode volume --part 3/2 -o a.exr", "--part: error: expected I/N"},
+          std::pair{"--mode volume --part '' -o a.exr", "--part: error: expected I/N"},
           std::pair{"--mode volume -o a.png", "ending in .exr"},
           std::pair{"--mode glossy -o a.exr", "--mode"},
           std::pair{"--mode single --spp 1 -o a.exr --stderr b.exr", "--spp 2 or more"},
