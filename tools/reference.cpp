@@ -93,6 +93,7 @@ void reference(const ReferenceArguments& arguments) {
     truth::Watcher watcher;
     watcher.stop = interrupted;
     watcher.progress = [&](double done) { bar.show(done); };
+    watcher.say = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
     const unsigned threads =
         arguments.threads != 0 ? arguments.threads : std::max(1U, std::thread::hardware_concurrency());
     truth::renderReference(request, scene, {arguments.output, arguments.standardErrors}, threads, watcher);
