@@ -7,11 +7,10 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/glm.hpp>
-#include <glm/gtc/matrix_inverse.hpp>
-#include <span>
 
 #include "scene/scene_state.h"
 #include "text/diagnostics.h"
+#include "truth/placed_mesh.h"
 
 namespace nephrite::truth {
 namespace {
@@ -24,29 +23,6 @@ struct ReleaseScene {
 };
 using Device = std::unique_ptr<RTCDeviceTy, ReleaseDevice>;
 using EmbreeScene = std::unique_ptr<RTCSceneTy, ReleaseScene>;
-
-/// An object's mesh in the world.
-struct PlacedMesh {
-    std::vector<glm::vec3> positions;  ///< mm
-    std::vector<glm::dvec3> normals;
-    std::span<const glm::vec2> textureCoordinates;
-    std::span<const std::uint32_t> indices;
-    std::uint32_t material = 0;
-};
-
-PlacedMesh place(const scene::Mesh& rest, std::span<const glm::vec3> positions,
-                 std::span<const glm::vec3> normals, const glm::dmat4& world, std::uint32_t material) {
-    PlacedMesh mesh;
-    const glm::dmat3 normalMatrix = glm::inverseTranspose(glm::dmat3(world));
-    for (const glm::vec3& position : positions)
-        mesh.positions.emplace_back(world * glm::dvec4(glm::dvec3(position), 1));
-    for (const glm::vec3& normal : normals)
-        mesh.normals.push_back(glm::normalize(normalMatrix * glm::dvec3(normal)));
-    mesh.textureCoordinates = rest.textureCoordinates;
-    mesh.indices = rest.indices;
-    mesh.material = material;
-    return mesh;
-}
 
 /// Embree keeps a copy: its buffers must be padded, and what it finds is looked up here anyway.
 void attach(RTCDevice device, RTCScene target, const PlacedMesh& mesh, std::uint32_t object) {
