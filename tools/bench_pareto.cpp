@@ -47,7 +47,8 @@ void requireFolder(const ParetoArguments& arguments) {
     if (!arguments.json.empty()) image::OutputFile(arguments.json);
 }
 
-pareto::SuiteResult run(const ParetoArguments& arguments, const pareto::Suite& suite) {
+pareto::SuiteResult run(const ParetoArguments& arguments) {
+    const pareto::Suite suite = suiteOf(arguments);
     std::optional<ProgressBar> bar;
     std::string shown;
     pareto::Progress progress;
@@ -57,10 +58,12 @@ pareto::SuiteResult run(const ParetoArguments& arguments, const pareto::Suite& s
         bar->show(done);
     };
     progress.say = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
-    pareto::RunOptions options{
-        arguments.folder, pareto::Selection(arguments.only), arguments.device, commit,
+    const auto preparation = pareto::prepareSuite(suite, pareto::Selection(arguments.only), progress);
+    requireFolder(arguments);
+    const pareto::RunOptions options{
+        arguments.folder, arguments.device, commit,
         arguments.threads != 0 ? arguments.threads : std::max(1U, std::thread::hardware_concurrency())};
-    return pareto::runSuite(suite, options, progress);
+    return pareto::runSuite(suite, preparation, options, progress);
 }
 
 /// Draws the script by gnuplot, if there is one.
@@ -79,10 +82,8 @@ void draw(const std::filesystem::path& script) {
 }
 
 void benchPareto(const ParetoArguments& arguments) {
-    const pareto::Suite suite = suiteOf(arguments);
-    requireFolder(arguments);
     catchInterrupts();
-    const pareto::SuiteResult result = run(arguments, suite);
+    const pareto::SuiteResult result = run(arguments);
     const std::string json = pareto::resultsAsJson(result);
     image::writeFile(arguments.folder / "pareto.json", json);
     if (!arguments.json.empty()) image::writeFile(arguments.json, json);

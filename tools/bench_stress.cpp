@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "bench.h"
+#include "gpu/device.h"
 #include "image/output_file.h"
 #include "stress/cases.h"
 #include "text/diagnostics.h"
@@ -70,7 +71,13 @@ void print(const stress::Outcome& outcome) {
     std::fflush(stdout);
 }
 
+/// Throws InputError if no device has the name, whichever cases are run: before them, and once.
+void requireDevice(const std::string& name) {
+    if (!name.empty()) gpu::Device({.name = name});
+}
+
 void benchStress(const StressArguments& arguments) {
+    requireDevice(arguments.device);
     const TemporaryFolder folder;
     const auto cases = chosenCases(arguments, {folder.path(), arguments.device, {}});
     std::optional<image::OutputFile> file;

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <json/writer.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <optional>
@@ -54,17 +55,47 @@ struct Pictures {
     const image::Image* half() const { return secondHalf ? &*secondHalf : nullptr; }
 };
 
+std::optional<std::string> attribute(const image::ExrFile& file, const std::string& name) {
+    const auto found = file.metadata.find(name);
+    return found == file.metadata.end() ? std::nullopt : std::optional(found->second);
+}
+
+/// Reads a reference. Throws InputError if it is a part of one: the rest of it is black.
+image::ExrFile readReference(const std::filesystem::path& path) {
+    image::ExrFile file = image::readExr(path);
+    if (const auto part = attribute(file, "part"))
+        throw InputError({path.string()},
+                         fmt::format("this is part {} of a reference: merge the parts first", *part));
+    return file;
+}
+
+/// Throws InputError if the halves share their noise, so that it would seem to be none.
+void requireIndependent(const CompareArguments& arguments, const image::ExrFile& first,
+                        const image::ExrFile& second) {
+    const auto fail = [&](const std::string& what) {
+        throw InputError({arguments.secondHalf.string()},
+                         fmt::format("{} {}: the halves of a reference must be independent", what,
+                                     arguments.reference.string()));
+    };
+    const auto seed = attribute(second, "seed");
+    if (seed && seed == attribute(first, "seed")) fail(fmt::format("its seed is {}, as that of", *seed));
+    const bool isBlack = std::all_of(first.image.pixels.begin(), first.image.pixels.end(),
+                                     [](float value) { return value == 0; });
+    if (!isBlack && first.image.pixels == second.image.pixels) fail("it is the same picture as");
+}
+
 /// Throws InputError if a file is no picture or does not fit the reference.
 Pictures readPictures(const CompareArguments& arguments) {
     const std::string reference = arguments.reference.string();
-    const auto read = [](const std::filesystem::path& file) { return image::readExr(file).image; };
-    Pictures pictures{read(arguments.picture), read(arguments.reference), {}};
+    const image::ExrFile first = readReference(arguments.reference);
+    Pictures pictures{image::readExr(arguments.picture).image, first.image, {}};
     image::requireComparable(pictures.reference, reference, pictures.reference, reference);
     image::requireComparable(pictures.picture, arguments.picture.string(), pictures.reference, reference);
     if (arguments.secondHalf.empty()) return pictures;
-    pictures.secondHalf = read(arguments.secondHalf);
-    image::requireComparable(*pictures.secondHalf, arguments.secondHalf.string(), pictures.reference,
-                             reference);
+    image::ExrFile second = readReference(arguments.secondHalf);
+    image::requireComparable(second.image, arguments.secondHalf.string(), pictures.reference, reference);
+    requireIndependent(arguments, first, second);
+    pictures.secondHalf = std::move(second.image);
     return pictures;
 }
 

@@ -152,8 +152,14 @@ std::string jsonOf(const std::string& model, const Profile& profile) {
 }
 
 void printProfile(const ProfileArguments& arguments) {
+    // Before the photons, so that an hour of them does not end at a folder that is not there.
+    std::optional<image::OutputFile> json;
+    if (!arguments.json.empty()) json.emplace(arguments.json);
     const Profile profile = computed(arguments);
-    if (!arguments.json.empty()) image::writeFile(arguments.json, jsonOf(arguments.model, profile));
+    if (json) {
+        json->write(jsonOf(arguments.model, profile));
+        json->commit();
+    }
     fmt::print("r,value\n");
     for (std::size_t i = 0; i < profile.radii.size(); ++i)
         fmt::print("{},{}\n", number(profile.radii[i]), number(profile.values[i].value));
@@ -174,7 +180,13 @@ void addProfileVerb(CLI::App& app, Action& action) {
     verb->add_option("--thickness", arguments->thickness,
                      "Of a slab, mm (default: a half space); montecarlo only");
     verb->add_option("--layers", arguments->layers, "File with a stack of layers; montecarlo only");
-    verb->add_option("--radii", arguments->radii, "Distances from the point, mm: a,b,c")->delimiter(',');
+    // CLI11 takes no text for 0.
+    verb->add_option("--radii", arguments->radii, "Distances from the point, mm: a,b,c")
+        ->delimiter(',')
+        ->check([](const std::string& radius) {
+            return radius.empty() ? std::string("expected distances in mm, a,b,c, found none")
+                                  : std::string();
+        });
     // Standard errors need two photons.
     verb->add_option("--photons", arguments->photons, "Photons of montecarlo")
         ->check(wholeNumber(2, 10000000000))

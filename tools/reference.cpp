@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <thread>
 
 #include "commit.h"
@@ -22,7 +23,7 @@ struct ReferenceArguments {
     std::filesystem::path scene;
     std::string mode;
     std::string size = "512x512";
-    std::string part;
+    std::optional<std::string> part;
     std::filesystem::path output;
     std::filesystem::path standardErrors;
     std::uint32_t samples = 16;
@@ -59,7 +60,7 @@ truth::ReferenceRequest requestOf(const ReferenceArguments& arguments) {
     request.samples = arguments.samples;
     request.estimator = {*truth::parseMode(arguments.mode), arguments.seed, arguments.fluxPoints,
                          arguments.photons};
-    if (!arguments.part.empty()) request.part = partOf(arguments.part);
+    if (arguments.part) request.part = partOf(*arguments.part);
     request.commit = commit;
     return request;
 }
@@ -84,6 +85,7 @@ void reference(const ReferenceArguments& arguments) {
     truth::Watcher watcher;
     watcher.stop = interrupted;
     watcher.progress = [&](double done) { bar.show(done); };
+    watcher.say = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
     const unsigned threads =
         arguments.threads != 0 ? arguments.threads : std::max(1U, std::thread::hardware_concurrency());
     truth::renderReference(request, scene, {arguments.output, arguments.standardErrors}, threads, watcher);
@@ -109,7 +111,9 @@ void addReferenceVerb(CLI::App& app, Action& action) {
         ->capture_default_str();
     verb->add_option("--size", arguments->size, "Picture size in pixels, WIDTHxHEIGHT")
         ->capture_default_str();
-    verb->add_option("--part", arguments->part, "I/N: render the I-th of N parts, for `merge`");
+    verb->add_option_function<std::string>(
+        "--part", [arguments](const std::string& part) { arguments->part = part; },
+        "I/N: render the I-th of N parts, for `merge`");
     verb->add_option("--time", arguments->time, "Seconds of the scene's animation")->capture_default_str();
     verb->add_option("-o,--output", arguments->output, "The picture: F.exr")->required();
     verb->add_option("--stderr", arguments->standardErrors, "Its standard errors: F.exr");

@@ -72,7 +72,7 @@ TEST(Suite, IsReadWhole) {
     ASSERT_EQ(suite.methods.size(), 3U);
     EXPECT_EQ(suite.methods[0].graph, "/g/slow.json");
     EXPECT_FALSE(suite.methods[0].skip);
-    EXPECT_THAT(suite.methods[0].settings, ElementsAre("a=[1, 2]", "node.b=true"));
+    EXPECT_THAT(pointsOf(suite.methods[0])[0].settingTexts(), ElementsAre("a=[1, 2]", "node.b=true"));
     EXPECT_EQ(suite.methods[0].against.at(0).port, "color");
     EXPECT_EQ(suite.methods[1].against.at(0).reference, truth::Mode::Dipole);
     EXPECT_EQ(suite.methods[1].against.at(0).port, "multiple.radiance");
@@ -132,7 +132,7 @@ TEST(Points, AreEveryCombination) {
         R"(, "methods": {"m": {"graph": "m.json", "set": {"c": 0}, "vary": {"a": [1, 2], "b": [3, 4]}}}})");
     const std::vector<Point> points = pointsOf(suite.methods[0]);
     EXPECT_THAT(namesOf(points), ElementsAre("m a=1 b=3", "m a=1 b=4", "m a=2 b=3", "m a=2 b=4"));
-    EXPECT_THAT(points[2].settings, ElementsAre("c=0", "a=2", "b=3"));
+    EXPECT_THAT(points[2].settingTexts(), ElementsAre("c=0", "a=2", "b=3"));
     EXPECT_TRUE(points[0].isFirst);
     EXPECT_FALSE(points[1].isFirst);
 }

@@ -1,4 +1,4 @@
-// Runs the stress list, and makes sure that it would notice what it looks for.
+// Runs the stress list, and makes sure that it is whole.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -45,17 +45,16 @@ TEST_P(Stress, NothingBreaks) {
     EXPECT_GT(cases, 0U);
 }
 
-INSTANTIATE_TEST_SUITE_P(Groups, Stress,
-                         testing::Values(Group{"device/", 0, 5}, Group{"device/", 1, 5},
-                                         Group{"device/", 2, 5}, Group{"device/", 3, 5},
-                                         Group{"device/", 4, 5}, Group{"law/", 0, 2}, Group{"law/", 1, 2},
-                                         Group{"refused/", 0, 1}, Group{"profile/", 0, 1},
-                                         Group{"photons/", 0, 1}, Group{"reference/", 0, 1}),
-                         [](const auto& group) {
-                             const std::string prefix = group.param.prefix;
-                             return fmt::format("{}{}", prefix.substr(0, prefix.size() - 1),
-                                                group.param.part + 1);
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Groups, Stress,
+    testing::Values(Group{"device/", 0, 5}, Group{"device/", 1, 5}, Group{"device/", 2, 5},
+                    Group{"device/", 3, 5}, Group{"device/", 4, 5}, Group{"law/", 0, 3}, Group{"law/", 1, 3},
+                    Group{"law/", 2, 3}, Group{"refused/", 0, 1}, Group{"profile/", 0, 1},
+                    Group{"photons/", 0, 1}, Group{"reference/", 0, 1}),
+    [](const auto& group) {
+        const std::string prefix = group.param.prefix;
+        return fmt::format("{}{}", prefix.substr(0, prefix.size() - 1), group.param.part + 1);
+    });
 
 TEST(StressList, IsLongAndEveryCaseBelongsToAGroup) {
     const std::set<std::string> groups{"device", "law", "refused", "profile", "photons", "reference"};
@@ -88,41 +87,6 @@ TEST(StressList, HasEveryPairOfNastyValues) {
             for (const Nasty& one : axes()[a].values)
                 for (const Nasty& other : axes()[b].values)
                     EXPECT_GE(scenesWith(scenes, one.name, other.name), 1U) << one.name << ", " << other.name;
-}
-
-/// The failures of a sphere rendered by a pass that writes `expression` where the sphere is.
-std::vector<std::string> failuresOf(const std::string& expression) {
-    const ScratchFolder folder;
-    folder.write("passes/broken.json",
-                 R"({"kind": "pixel", "shader": "broken.glsl", "inputs": {"position": {}},
-                     "outputs": {"radiance": {"format": "rgba32f", "size": {"like": "position"}, "neutral": [0, 0, 0, 0]}}})");
-    folder.write("passes/broken.glsl",
-                 "void pixel(ivec2 p) { store(radiance, p, vec4(load(position, p).w > 0.0 ? " + expression +
-                     " : 0.0)); }");
-    const auto graph = folder.write("broken-graph.json", R"({"name": "broken", "nodes": {
-         "gbuffer": {"pass": "gbuffer", "view": "camera"},
-         "broken": {"pass": "broken", "in": {"position": "gbuffer.position"}}},
-         "outputs": {"color": "broken.radiance"}})");
-    const Place place{folder.path(), {}, {folder.path() / "passes"}};
-    return run({"broken",
-                [&](Outcome& outcome) {
-                    checkOnDevice({}, {{graph, {}, true}}, place, outcome);
-                }})
-        .failures;
-}
-
-TEST(StressChecks, NoticeWhatABrokenPassWrites) {
-    // The sphere of 10 mm may send 4/pi times what enters it: 4/pi 5000 W/sr 0.1675 sr = 1066 W/sr towards
-    // the camera. It shows a little more than 200 mm^2 to it, across the direction of view.
-    EXPECT_TRUE(failuresOf("1.0").empty());
-    for (const char* wrong : {"uintBitsToFloat(0x7fc00000u)", "uintBitsToFloat(0x7f800000u)", "-1e-3", "6.0"})
-        EXPECT_FALSE(failuresOf(wrong).empty()) << wrong;
-}
-
-TEST(StressChecks, ReportWhatACaseThrows) {
-    const Outcome outcome = run({"thrower", [](Outcome&) { throw std::runtime_error("no luck"); }});
-    ASSERT_EQ(outcome.failures.size(), 1U);
-    EXPECT_EQ(outcome.failures[0], "no luck");
 }
 
 }  // namespace

@@ -37,6 +37,13 @@ TEST(BenchStress, SaysWhatIsWrong) {
     EXPECT_THAT(nothing.errors, HasSubstr("--only: error: no case has \"no-such-case\" in its name"));
     EXPECT_EQ(std::count(nothing.errors.begin(), nothing.errors.end(), '\n'), 1) << nothing.errors;
     EXPECT_EQ(place.run("bench stress --sideways").status, 2);
+    for (const char* cases : {"refused", "profile/apple+g=0.95", "device/slab+eta-near-1"}) {
+        const Answer device = place.run(std::string("bench stress --device nope --only ") + cases);
+        EXPECT_EQ(device.status, 2) << cases;
+        EXPECT_EQ(device.output, "") << cases;
+        EXPECT_THAT(device.errors, HasSubstr("error: no Vulkan device")) << cases;
+        EXPECT_EQ(std::count(device.errors.begin(), device.errors.end(), '\n'), 1) << device.errors;
+    }
     const Answer unwritable = place.run("bench stress --only refused --json missing/s.json");
     EXPECT_EQ(unwritable.status, 1);
     EXPECT_THAT(unwritable.errors, HasSubstr("missing/s.json: error: "));

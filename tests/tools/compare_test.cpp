@@ -170,6 +170,30 @@ TEST_F(CompareVerb, WritesAHeatMapAndSaysItsScale) {
     EXPECT_NE(bytes("other.png"), bytes("map.png"));
 }
 
+TEST_F(CompareVerb, RefusesHalvesThatAreNotIndependent) {
+    const std::string outputs = " --json out.json --heatmap out.png";
+    image::writeExr(place_.path() / "copy.exr", a_);
+    expectRefused("picture.exr a.exr copy.exr" + outputs,
+                  "copy.exr: error: it is the same picture as a.exr: the halves");
+    expectRefused("picture.exr a.exr a.exr" + outputs, "a.exr: error: it is the same picture");
+    image::writeExr(place_.path() / "one.exr", a_, {{"seed", "7"}, {"samples", "16"}});
+    image::writeExr(place_.path() / "more.exr", b_, {{"seed", "7"}, {"samples", "32"}});
+    image::writeExr(place_.path() / "two.exr", b_, {{"seed", "8"}, {"samples", "16"}});
+    expectRefused("picture.exr one.exr more.exr" + outputs,
+                  "more.exr: error: its seed is 7, as that of one.exr: the halves");
+    EXPECT_THAT(output("picture.exr one.exr two.exr"), HasSubstr("unbiased"));
+    const image::Image black{size, size, {"R", "G", "B"}, std::vector<float>(size * size * 3)};
+    image::writeExr(place_.path() / "black.exr", black);
+    EXPECT_THAT(output("picture.exr black.exr black.exr"), HasSubstr("unbiased"));
+}
+
+TEST_F(CompareVerb, RefusesAPartOfAReference) {
+    const std::string outputs = " --json out.json --heatmap out.png";
+    image::writeExr(place_.path() / "part.exr", a_, {{"part", "1/2"}});
+    expectRefused("picture.exr part.exr" + outputs, "part.exr: error: this is part 1/2 of a reference");
+    expectRefused("picture.exr b.exr part.exr" + outputs, "part.exr: error: this is part 1/2");
+}
+
 TEST_F(CompareVerb, RefusesWhatItCannotCompare) {
     const std::string outputs = " --json out.json --heatmap out.png";
     image::writeExr(place_.path() / "wide.exr", {2, 1, {"R", "G", "B"}, std::vector<float>(6)});

@@ -4,11 +4,10 @@
 #include <json/json.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <fstream>
 #include <functional>
 #include <sstream>
 
+#include "pareto_suite.h"
 #include "program.h"
 
 namespace nephrite::tools::test {
@@ -16,40 +15,6 @@ namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
-using testing::MatchesRegex;
-using testing::Not;
-
-const std::string graphs = NEPHRITE_SOURCE_DIR "/graphs/";
-
-/// A suite of one sphere. The maps of the lights are small, so that frames take milliseconds.
-std::string suite(const std::string& members = "", const std::string& samples = "2",
-                  const std::string& scene = graphs + "scenes/sphere.json") {
-    return R"({ "name": "tiny", "size": [16, 16], "frames": 4, "warmup": 1, "baseline": "screen-space",
- "scenes": {"sphere": {"scene": ")" +
-           scene + R"(", "bins": 4,
-   "references": {"volume": {"spp": )" +
-           samples + R"(}, "dipole": {"spp": 1, "fluxPoints": 4096}}}},
- "methods": {
-   "screen-space": {"graph": ")" +
-           graphs + R"(screen-space.json", "skip": false, "set": {"lightSize": 64},
-                    "against": {"volume": "color", "dipole": "multiple.radiance"}},
-   "lambert": {"graph": ")" +
-           graphs + R"(lambert-albedo.json", "vary": {"lightSize": [32, 64]}},
-   "exact": {"references": ["dipole"]} })" +
-           members + "}";
-}
-
-Json::Value readJson(const std::filesystem::path& file) {
-    Json::Value value;
-    std::ifstream(file) >> value;
-    return value;
-}
-
-std::string bytesOf(const std::filesystem::path& file) {
-    std::ostringstream text;
-    text << std::ifstream(file, std::ios::binary).rdbuf();
-    return text.str();
-}
 
 double medianOf(std::vector<double> values) {
     std::sort(values.begin(), values.end());
@@ -212,98 +177,6 @@ TEST_F(BenchPareto, NoiseIsHalfOfWhatTheHalvesDifferBy) {
     for (Json::ArrayIndex c = 0; c < 3; ++c)
         EXPECT_DOUBLE_EQ(scene()["references"][0]["noise"][c].asDouble(),
                          difference["relRMSE"][c].asDouble() / 2);
-}
-
-TEST(BenchParetoReferences, AreKeptWhileTheyAreWhatIsAskedFor) {
-    const Workplace place;
-    const auto run = [&](const std::string& text, const std::string& options = "") {
-        place.write("suite.json", text);
-        const Answer answer = place.run("bench pareto suite.json -o out --only '*/exact' " + options);
-        EXPECT_EQ(answer.status, 0) << answer.errors;
-        return answer.errors;
-    };
-    const auto volume = place.path() / "out" / "references" / "sphere-volume-1.exr";
-    const auto dipole = place.path() / "out" / "references" / "sphere-dipole-2.exr";
-    run(suite());
-    const auto first = std::filesystem::last_write_time(volume);
-    EXPECT_EQ(run(suite()), "");
-    EXPECT_EQ(std::filesystem::last_write_time(volume), first);
-    const auto dipoleBefore = std::filesystem::last_write_time(dipole);
-    EXPECT_THAT(run(suite("", "3")), HasSubstr("sphere-volume-1.exr: of other settings"));
-    EXPECT_NE(std::filesystem::last_write_time(volume), first);
-    EXPECT_EQ(std::filesystem::last_write_time(dipole), dipoleBefore);
-    EXPECT_THAT(run(suite("", "3"), "--size 12x12"), HasSubstr("sphere-dipole-2.exr: of other settings"));
-    // Another scene under the same name.
-    std::string scene = bytesOf(graphs + "scenes/sphere.json");
-    scene.replace(scene.find("5000"), 4, "6000");
-    place.write("scene.json", scene);
-    EXPECT_THAT(run(suite("", "3", "scene.json"), "--size 12x12"),
-                HasSubstr("of other settings or another scene"));
-}
-
-TEST(BenchParetoScenes, WithoutTheirModelAreLeftOut) {
-    const Workplace place;
-    place.write(
-        "bare.json",
-        R"({"camera": {"position": [0, 0, 40]}, "lights": [{"type": "point", "position": [30, 30, 10], "intensity": [1, 1, 1]}],
- "objects": [{"mesh": {"model": "no-such-model.ply"}, "material": "apple"}]})");
-    place.write("suite.json", R"({"scenes": {"bare": {"scene": "bare.json"}}, "methods": {"g": {"graph": ")" +
-                                  graphs + R"(gbuffer.json"}}})");
-    const Answer answer = place.run("bench pareto suite.json -o out");
-    EXPECT_EQ(answer.status, 0) << answer.errors;
-    EXPECT_THAT(
-        answer.errors,
-        MatchesRegex(
-            "bare: left out, the model no-such-model.ply is not at hand: set NEPHRITE_MODELS[^\n]*\n"));
-    const Json::Value json = readJson(place.path() / "out" / "pareto.json");
-    EXPECT_EQ(json["leftOut"][0]["name"].asString(), "bare");
-    EXPECT_EQ(json["scenes"].size(), 0U);
-}
-
-TEST(BenchParetoPlot, IsLeftOutWithALineWhereThereIsNoGnuplot) {
-    const Workplace place;
-    place.write("suite.json", suite());
-    std::filesystem::create_directory(place.path() / "empty");
-    const std::string command = "cd '" + place.path().string() +
-                                "' && NEPHRITE_CACHE_DIR=.cache PATH=empty '" NEPHRITE_PROGRAM
-                                "' bench pareto suite.json -o out --only sphere/lambert 2> errors";
-    ASSERT_EQ(std::system(command.c_str()), 0);
-    EXPECT_EQ(bytesOf(place.path() / "errors"),
-              "out/pareto.svg: not drawn, there is no gnuplot (package gnuplot-nox)\n");
-    EXPECT_FALSE(place.isThere("out/pareto.svg"));
-    EXPECT_TRUE(place.isThere("out/table.md"));
-}
-
-TEST(BenchParetoFaults, AreNamedWhereTheyAre) {
-    const Workplace place;
-    const auto expectRefused = [&](const std::string& text, const std::string& options,
-                                   const std::string& words) {
-        place.write("suite.json", text);
-        const Answer answer = place.run("bench pareto suite.json -o out " + options);
-        EXPECT_EQ(answer.status, 2) << words;
-        EXPECT_THAT(answer.errors, HasSubstr(words));
-        EXPECT_FALSE(place.isThere("out/pareto.json"));
-        EXPECT_FALSE(place.isThere("out/references"));
-    };
-    expectRefused("{\n \"scnes\": {}}", "", "suite.json:2:2: error: unknown key \"scnes\"");
-    expectRefused(suite(",\n \"baseline\": 1"), "", "suite.json:9:2: error: duplicate key \"baseline\"");
-    std::string wrong = suite();
-    wrong.replace(wrong.find("\"vary\": {\"lightSize\""), 20, "\"vary\": {\"lightSiez\"");
-    expectRefused(wrong, "", "did you mean \"lightSize\"?");
-    wrong = suite();
-    wrong.replace(wrong.find("multiple.radiance"), 17, "multipel.radiance");
-    expectRefused(wrong, "", "did you mean \"multiple\"?");
-    expectRefused(suite("", "2", "none.json"), "", "none.json: error: ");
-    expectRefused(suite(), "--only 'cube'", "--only: error: ");
-    expectRefused(suite(), "--size 16", "--size: error: ");
-    expectRefused(suite(), "--frames 0", "--frames");
-    EXPECT_EQ(place.run("bench pareto").status, 2);
-    EXPECT_EQ(place.run("bench pareto none.json").status, 2);
-    place.write("suite.json", suite());
-    place.write("file", "");
-    const Answer answer = place.run("bench pareto suite.json -o file/out");
-    EXPECT_EQ(answer.status, 1);
-    EXPECT_THAT(answer.errors, HasSubstr("file/out/pareto.json: error: "));
 }
 
 }  // namespace

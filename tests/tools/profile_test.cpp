@@ -122,6 +122,7 @@ TEST_F(ProfileVerb, RefusesWhatItCannotUse) {
     expectRefused("--model dipole --sigma-a 1 --sigma-s 1 --eta 0", "--eta: error: ");
     expectRefused("--model dipole " + apple + "--radii 1,-1", "--radii: error: ");
     expectRefused("--model dipole " + apple + "--radii 1,x", "--radii");
+    expectRefused("--model dipole " + apple + "--radii ''", "--radii: expected distances");
     expectRefused("--model burley " + apple + "--thickness 1",
                   "--thickness: error: burley is a model of a half space");
     expectRefused("--model skin-red " + apple, "takes no coefficients");
@@ -157,6 +158,19 @@ TEST_F(ProfileVerb, SaysWhichFileItCannotWrite) {
     EXPECT_EQ(answer.status, 1);
     EXPECT_THAT(answer.errors, HasSubstr("no/such/folder.json: error: "));
     EXPECT_EQ(answer.output, "");
+    // So many photons take days: the file comes first.
+    EXPECT_EQ(
+        place_.run("profile --model montecarlo " + apple + "--photons 10000000000 --json no/such/folder.json")
+            .errors,
+        answer.errors);
+}
+
+TEST_F(ProfileVerb, PrintsNumbersForNextToNoExtinction) {
+    for (const std::string model :
+         {"dipole", "better-dipole", "photon-beam-diffusion", "burley", "sum-of-gaussians", "montecarlo"})
+        EXPECT_EQ(values("--model " + model + " --sigma-s 1e-320 --sigma-a 1e-320 --radii 0,1"),
+                  (std::vector<double>{0, 0}))
+            << model;
 }
 
 }  // namespace

@@ -92,6 +92,33 @@ TEST_P(Interrupted, ReferenceContinues) {
 INSTANTIATE_TEST_SUITE_P(Signals, Interrupted, testing::Values("INT", "TERM"),
                          [](const auto& instance) { return std::string(instance.param); });
 
+TEST(Reference, LeavesWhatIsFinishedAsItIs) {
+    const Workplace place;
+    const std::string run = reference("--mode single --spp 2 ");
+    const auto again = [&](const std::string& options, const std::string& message) {
+        const Answer answer = place.run(run + options);
+        EXPECT_EQ(answer.status, 0) << options;
+        EXPECT_EQ(answer.errors, message) << options;
+    };
+    const std::string finished = "a.exr: is finished, by the same command; remove it to render it anew\n";
+    again("-o a.exr", "");
+    again("-o a.exr", finished);
+    again("-o a.exr --stderr e.exr", "");
+    again("-o a.exr --stderr e.exr", finished);
+    again("-o e.exr", "");  // a picture over its standard errors
+    again("-o a.exr --seed 2", "");
+    again("-o a.exr --part 1/2", "");
+    again("-o a.exr --part 2/2", "");
+    again("-o a.exr --part 2/2", finished);
+    again("-o a.exr", "");
+    ASSERT_EQ(
+        place.run("reference " + sceneFile("sphere.json") + " --size 8x8 --mode single --spp 2 -o a.exr")
+            .errors,
+        "");
+    place.write("a.exr", "not a picture");
+    again("-o a.exr", "");
+}
+
 TEST(ReferenceArray, MergesWhatItsJobsRender) {
     const Workplace place;
     const std::string run = sceneFile("sphere.json") + " --size 32x24 --mode single --spp 2 ";
@@ -102,6 +129,13 @@ TEST(ReferenceArray, MergesWhatItsJobsRender) {
         << bytesOf(place.path() / "errors");
     EXPECT_EQ(bytesOf(place.path() / "out/a picture.exr"), bytesOf(place.path() / "whole.exr"));
     EXPECT_EQ(bytesOf(place.path() / "out/its errors.exr"), bytesOf(place.path() / "error.exr"));
+    // Again: nothing is rendered twice.
+    const auto part = place.path() / "out/a picture.part-2.exr";
+    const auto rendered = std::filesystem::last_write_time(part);
+    ASSERT_EQ(
+        submit(place, "reference-array.sh", "3 'out/a picture.exr' " + run + "--stderr 'out/its errors.exr'"),
+        0);
+    EXPECT_EQ(std::filesystem::last_write_time(part), rendered);
     ASSERT_EQ(submit(place, "reference-array.sh", "2 plain.exr " + run), 0);
     EXPECT_EQ(bytesOf(place.path() / "plain.exr"), bytesOf(place.path() / "whole.exr"));
     EXPECT_NE(submit(place, "reference-array.sh", "2 other.exr " + run + "--part 1/2"), 0);
@@ -112,6 +146,7 @@ TEST(Reference, SaysWhatIsWrongWithItsOptions) {
     const Workplace place;
     for (const auto& [options, message] :
          {std::pair{"--mode volume --part 3/2 -o a.exr", "--part: error: expected I/N"},
+          std::pair{"--mode volume --part '' -o a.exr", "--part: error: expected I/N"},
           std::pair{"--mode volume -o a.png", "ending in .exr"},
           std::pair{"--mode glossy -o a.exr", "--mode"},
           std::pair{"--mode single --spp 1 -o a.exr --stderr b.exr", "--spp 2 or more"},

@@ -3,6 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <utility>
+
 #include "scene/view.h"
 #include "support.h"
 #include "truth/run_record.h"
@@ -76,6 +81,32 @@ TEST(Rendering, ContinuesWhereItStopped) {
         Rendering other = work.rendering({}, 7);
         EXPECT_FALSE(other.restore("short"));
     }
+}
+
+/// Bytes of the right number that no rendering saved.
+TEST(Rendering, DoesNotContinueFromDamage) {
+    Work work;
+    Rendering half = work.rendering();
+    Watcher watcher;
+    bool isFirst = true;
+    watcher.stop = [&] { return !std::exchange(isFirst, false); };
+    half.run(1, watcher);
+    const std::string good = half.save();
+    const auto damaged = [&](std::size_t place, auto value) {
+        std::string bytes = good;
+        std::memcpy(&bytes[place], &value, sizeof(value));
+        return bytes;
+    };
+    Rendering rendering = work.rendering();
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    for (const std::string& bytes :
+         {damaged(0, std::uint32_t{7}), damaged(0, std::uint32_t{3}), damaged(0, ~std::uint32_t{0}),
+          damaged(4, nan), damaged(4, HUGE_VAL), damaged(12, nan), damaged(12, -1.0), good + "1",
+          damaged(good.size() - 8, nan)}) {
+        EXPECT_FALSE(rendering.restore(bytes));
+        EXPECT_EQ(rendering.save(), work.rendering().save());
+    }
+    EXPECT_TRUE(rendering.restore(good));
 }
 
 /// Samples of a round share no photons: their mean varies a quarter as much as they do. Many paths make the

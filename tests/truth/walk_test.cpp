@@ -165,6 +165,33 @@ TEST(Walk, WhiteFurnaceLosesNothing) {
     }
 }
 
+/// A scattering slab over a pile of clear ones: what goes down meets more boundaries than roulette leaves
+/// alone, and still brings the surroundings' light.
+TEST(Walk, RouletteOfManyBoundariesLosesNothing) {
+    std::string objects;
+    const auto addSlab = [&](double thickness, double y, const std::string& layers) {
+        objects += (objects.empty() ? "" : ",") +
+                   std::string(R"({"mesh": {"procedural": "slab", "size": [4000, )") +
+                   std::to_string(thickness) + R"(, 4000]}, "transform": {"translate": [0, )" +
+                   std::to_string(y) + R"(, 0]}, "material": )" + material(layers, 1) + "}";
+    };
+    addSlab(2, 0, layer(0, 1));
+    for (int i = 0; i < 20; ++i) addSlab(0.5, -3 - i, layer(0, 0));
+    const auto scene = test::sceneOf(
+        "{" + test::anyCamera + R"(, "environment": {"radiance": [1, 1, 1]}, "objects": [)" + objects + "]}");
+    const World world(scene, 0);
+    const test::Sight sight = test::look(world, {0.3, 1, 0.2}, {0, 1, 0});
+    const auto found = test::estimate(21, 4000, [&](scattering::Random& random) {
+        const auto one = sampleRadiance(world, sight.seen, sight.view, 1, Scatterings::Any, random);
+        return one.single + one.multiple;
+    });
+    // Light that was not scattered is no part of it.
+    Family family;
+    addTest(family, "pile", found, 1 - std::exp(-2));
+    EXPECT_TRUE(family.holds());
+    EXPECT_LT(found.standardError(), 0.04);
+}
+
 TEST(Walk, ScalingTheSceneAndTheCoefficientsChangesNothing) {
     const auto radiance = [](double scale) {
         const std::string s = std::to_string(scale);

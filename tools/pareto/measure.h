@@ -23,8 +23,8 @@ struct FrameSettings {
     std::string device;  ///< part of its name; empty: the best there is
 };
 
-/// The pictures that a timed point is compared by, by port; one frame. Throws InputError, naming the method
-/// too, if the graph is wrong or lacks a port; RunError.
+/// The pictures that a timed point is compared by, by port, which the graph must have; one frame. Throws
+/// InputError, naming the method too, if the graph is wrong; RunError.
 std::map<std::string, image::Image> renderPictures(const Point& point, const std::filesystem::path& scene,
                                                    const FrameSettings& settings);
 

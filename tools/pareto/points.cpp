@@ -1,7 +1,6 @@
 // Combinations of values, and patterns.
 #include "pareto/points.h"
 
-#include <fmt/format.h>
 #include <fnmatch.h>
 
 #include <algorithm>
@@ -22,18 +21,23 @@ void append(std::vector<Point>& points, std::vector<Point> more) {
 
 }  // namespace
 
+std::vector<std::string> Point::settingTexts() const {
+    std::vector<std::string> texts;
+    for (const Setting& setting : settings) texts.push_back(setting.text());
+    return texts;
+}
+
 std::vector<Point> pointsOf(const Method& method) {
     std::vector<std::size_t> lengths;
-    for (const Variation& variation : method.variations) lengths.push_back(variation.values.size());
+    for (const Variation& variation : method.variations) lengths.push_back(variation.size());
     std::vector<Point> points;
     for (const std::vector<std::size_t>& choice : combinations(lengths)) {
         Point& point = points.emplace_back(Point{&method, method.name, {}, method.settings, points.empty()});
         for (std::size_t i = 0; i < choice.size(); ++i) {
-            const std::string& parameter = method.variations[i].parameter;
-            const std::string& value = method.variations[i].values[choice[i]];
-            point.name += fmt::format(" {}={}", parameter, value);
-            point.parameters.emplace_back(parameter, value);
-            point.settings.push_back(fmt::format("{}={}", parameter, value));
+            const Setting& setting = method.variations[i][choice[i]];
+            point.name += " " + setting.text();
+            point.parameters.emplace_back(setting.parameter, setting.value);
+            point.settings.push_back(setting);
         }
     }
     return points;
@@ -62,6 +66,16 @@ std::vector<Point> pointsOf(const Suite& suite, const SuiteScene& scene, const S
     std::vector<Point> all = pointsOf(*baseline);
     append(all, std::move(points));
     return all;
+}
+
+bool needs(const std::vector<Point>& points, truth::Mode reference) {
+    return std::any_of(points.begin(), points.end(), [reference](const Point& point) {
+        const auto& sum = point.method->references;
+        const auto& against = point.method->against;
+        return std::find(sum.begin(), sum.end(), reference) != sum.end() ||
+               std::any_of(against.begin(), against.end(),
+                           [reference](const ComparedPort& port) { return port.reference == reference; });
+    });
 }
 
 }  // namespace nephrite::pareto

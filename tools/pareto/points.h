@@ -15,9 +15,12 @@ struct Point {
     const Method* method = nullptr;
     std::string name;  ///< "screen-space", "screen-space mostTaps=24"
     std::vector<std::pair<std::string, std::string>>
-        parameters;                     ///< what it varies, and the value, JSON text
-    std::vector<std::string> settings;  ///< all: the method's and the varied
-    bool isFirst = true;                ///< the first combination, which stands for the method
+        parameters;                 ///< what it varies, and the value, JSON text
+    std::vector<Setting> settings;  ///< all: the method's and the varied
+    bool isFirst = true;            ///< the first combination, which stands for the method
+
+    /// The settings as runtime::SessionOptions has them.
+    std::vector<std::string> settingTexts() const;
 };
 
 /// The points of a method, the last variation changing fastest. It must outlive them.
@@ -38,5 +41,8 @@ class Selection {
 /// The points of a scene: those selected and, before them, the baseline's if any is timed; of sums of
 /// references only those the scene has all of. None if nothing is selected. The suite must outlive them.
 std::vector<Point> pointsOf(const Suite& suite, const SuiteScene& scene, const Selection& selection);
+
+/// Whether a point is held against the reference or made of it.
+bool needs(const std::vector<Point>& points, truth::Mode reference);
 
 }  // namespace nephrite::pareto

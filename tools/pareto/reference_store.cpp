@@ -3,7 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <string_view>
 #include <system_error>
+
+#include "truth/run_record.h"
 
 namespace nephrite::pareto {
 namespace {
@@ -12,14 +16,9 @@ namespace {
 /// matter.
 bool isOf(const truth::ReferenceRequest& request, const image::Metadata& record,
           const image::ExrFile& found) {
-    if (found.image.width != request.width || found.image.height != request.height) return false;
-    for (const auto& [name, value] : record) {
-        if (name == "commit" || name == "scene") continue;
-        const auto attribute = found.metadata.find(name);
-        if (attribute == found.metadata.end() || attribute->second != value) return false;
-    }
-    const auto content = found.metadata.find("content");
-    return content != found.metadata.end() && content->second == "radiance";
+    static constexpr std::array<std::string_view, 2> ignored{"commit", "scene"};
+    return found.image.width == request.width && found.image.height == request.height &&
+           truth::isOf(record, "radiance", found, ignored);
 }
 
 /// The noise of a mean of two halves: half of their difference.
@@ -49,6 +48,7 @@ image::ExrFile ReferenceStore::half(const truth::ReferenceRequest& request, cons
     truth::Watcher watcher;
     watcher.stop = progress.stop;
     watcher.progress = [&](double done) { progress.show(what, done); };
+    watcher.say = progress.say;
     truth::renderReference(request, scene, {file, {}}, settings_.threads, watcher);
     return image::readExr(file);
 }

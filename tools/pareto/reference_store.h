@@ -31,8 +31,9 @@ class ReferenceStore {
     };
     explicit ReferenceStore(Settings settings) : settings_(std::move(settings)) {}
 
-    /// The halves FOLDER/SCENE-MODE-SEED.exr. One that is there counts if its record says the same mode,
-    /// samples, seed, size and files of the scene (whichever commit rendered it); else it is rendered, which
+    /// The halves FOLDER/SCENE-MODE-SEED.exr. One that is there counts if it is whole and its record says the
+    /// same mode, revision of the estimator, samples, seed, size and files of the scene (whichever commit
+    /// rendered it); else it is rendered, which
     /// continues what was interrupted. Throws as truth::renderReference does.
     Reference get(const SuiteScene& suiteScene, const scene::Scene& scene, const ReferenceSettings& reference,
                   const Progress& progress) const;

@@ -12,72 +12,13 @@
 namespace nephrite::pareto {
 namespace {
 
-/// A scene that can be rendered, and what is measured of it.
-struct Task {
-    const SuiteScene* scene = nullptr;
-    std::vector<Point> points;
-};
-
-/// The first model that a scene names and that is not at hand. Whatever else is wrong with the scene, its
-/// reader says.
-std::optional<std::string> missingModel(const std::filesystem::path& scene,
-                                        const std::filesystem::path& models) {
-    const auto objects = json::parseFile(scene).find("objects");
-    for (std::size_t i = 0; objects && i < objects->size(); ++i) {
-        const auto mesh = objects->isArray() ? objects->at(i).find("mesh") : std::nullopt;
-        const auto model = mesh ? mesh->find("model") : std::nullopt;
-        if (!model || !model->isString()) continue;
-        std::error_code ignored;
-        const std::string file = model->raw().asString();
-        if (models.empty() || !std::filesystem::exists(models / file, ignored)) return file;
-    }
-    return std::nullopt;
-}
-
-scene::Scene loadScene(const SuiteScene& scene, const runtime::DataFolders& folders) {
-    try {
-        return runtime::loadScene(scene.file, 0, folders);
-    } catch (const InputError& error) {
-        std::vector<Diagnostic> faults = error.faults();
-        faults.push_back({scene.where, fmt::format("cannot use the scene {}", scene.file.string())});
-        throw InputError(std::move(faults));
-    }
-}
-
-/// Every scene and every graph is read once before the first is rendered.
-std::vector<Task> prepare(const Suite& suite, const RunOptions& options, const Progress& progress,
-                          std::vector<LeftOutScene>& leftOut) {
-    const auto folders = runtime::DataFolders::find();
-    std::vector<Task> tasks;
-    bool isSelected = false;
-    for (const SuiteScene& scene : suite.scenes) {
-        std::vector<Point> points = pointsOf(suite, scene, options.selection);
-        if (points.empty()) continue;
-        isSelected = true;
-        if (const auto model = missingModel(scene.file, folders.models)) {
-            leftOut.push_back(
-                {scene.name, fmt::format("the model {} is not at hand: set NEPHRITE_MODELS to the "
-                                         "folder that has it",
-                                         *model)});
-            progress.say(fmt::format("{}: left out, {}", scene.name, leftOut.back().why));
-            continue;
-        }
-        loadScene(scene, folders);
-        for (const Point& point : points)
-            if (point.method->isTimed()) runtime::loadGraph(point.method->graph, point.settings, folders, {});
-        tasks.push_back({&scene, std::move(points)});
-    }
-    if (!isSelected) throw InputError({"--only"}, "this pattern selects no scene and method of the suite");
-    return tasks;
-}
-
 PointResult emptyResult(const Point& point) {
     PointResult result;
     result.name = point.name;
     result.method = point.method->name;
     result.graph = point.method->graph;
     result.parameters = point.parameters;
-    result.settings = point.settings;
+    result.settings = point.settingTexts();
     result.skip = point.method->skip;
     result.isFirst = point.isFirst;
     return result;
@@ -125,24 +66,13 @@ class SceneRun {
     const std::string& driver() const { return times_.driver; }
 
   private:
-    /// Whether a point is held against the reference or made of it.
-    bool isNeeded(truth::Mode mode) const {
-        return std::any_of(task_.points.begin(), task_.points.end(), [mode](const Point& point) {
-            const auto& sum = point.method->references;
-            const auto& against = point.method->against;
-            return std::find(sum.begin(), sum.end(), mode) != sum.end() ||
-                   std::any_of(against.begin(), against.end(),
-                               [mode](const ComparedPort& port) { return port.reference == mode; });
-        });
-    }
-
     void renderReferences() {
         if (scene_.references.empty()) return;
-        const scene::Scene scene = loadScene(scene_, runtime::DataFolders::find());
+        const scene::Scene scene = runtime::loadScene(scene_.file, 0, runtime::DataFolders::find());
         const ReferenceStore store({options_.folder / "references", settings_.size.width,
                                     settings_.size.height, options_.commit, options_.threads});
         for (const ReferenceSettings& settings : scene_.references) {
-            if (!isNeeded(settings.mode)) continue;
+            if (!needs(task_.points, settings.mode)) continue;
             references_.push_back(store.get(scene_, scene, settings, progress_));
             result_.references.push_back(references_.back().result);
         }
@@ -209,7 +139,8 @@ class SceneRun {
 
 }  // namespace
 
-SuiteResult runSuite(const Suite& suite, const RunOptions& options, const Progress& progress) {
+SuiteResult runSuite(const Suite& suite, const Preparation& preparation, const RunOptions& options,
+                     const Progress& progress) {
     SuiteResult result;
     result.suite = suite.name;
     result.baseline = suite.baseline;
@@ -218,8 +149,8 @@ SuiteResult runSuite(const Suite& suite, const RunOptions& options, const Progre
     result.height = suite.height;
     result.frames = suite.frames;
     result.warmup = suite.warmup;
-    const std::vector<Task> tasks = prepare(suite, options, progress, result.leftOut);
-    for (const Task& task : tasks) {
+    result.leftOut = preparation.leftOut;
+    for (const Task& task : preparation.tasks) {
         SceneRun run(suite, task, options, progress);
         result.scenes.push_back(run.run());
         if (run.device().empty()) continue;

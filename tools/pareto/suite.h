@@ -22,6 +22,7 @@ struct ReferenceSettings {
     std::uint32_t samples = 16;  ///< of each pixel, in each half
     std::uint64_t seed = 1;
     std::uint32_t fluxPoints = 1 << 20;  ///< dipole: rays from each light, a sample
+    SourceLocation where;
 };
 
 struct SuiteScene {
@@ -29,7 +30,7 @@ struct SuiteScene {
     std::filesystem::path file;
     std::uint32_t bins = 1;  ///< pictures are compared by means of blocks of bins x bins pixels
     std::vector<ReferenceSettings> references;  ///< each mode at most once; none: only times are measured
-    SourceLocation where;
+    SourceLocation where;                       ///< of the file's name
 
     const ReferenceSettings* find(truth::Mode mode) const;
 };
@@ -38,13 +39,21 @@ struct SuiteScene {
 struct ComparedPort {
     truth::Mode reference = truth::Mode::Volume;
     std::string port = "color";  ///< an output of the graph, or "node.port"
+    SourceLocation where;
 };
 
-/// A parameter and the values it takes in turn, each as JSON text.
-struct Variation {
-    std::string parameter;
-    std::vector<std::string> values;
+/// A parameter and its value, as `--set` has them, and where the suite says so.
+struct Setting {
+    std::string parameter;  ///< PARAM or NODE.PARAM
+    std::string value;      ///< JSON text
+    SourceLocation whereParameter;
+    SourceLocation whereValue;
+
+    std::string text() const { return parameter + "=" + value; }
 };
+
+/// A parameter and the values it takes in turn.
+using Variation = std::vector<Setting>;
 
 /// A graph, or the sum of references as if it were one.
 struct Method {
@@ -52,10 +61,11 @@ struct Method {
     std::filesystem::path graph;          ///< empty: a sum of references
     std::vector<truth::Mode> references;  ///< the sum
     std::vector<ComparedPort> against;    ///< each mode at most once
-    std::vector<std::string> settings;    ///< as runtime::SessionOptions
-    std::vector<Variation> variations;    ///< every combination is measured
-    bool skip = true;                     ///< false: as `render --no-skip`
+    std::vector<Setting> settings;
+    std::vector<Variation> variations;  ///< every combination is measured
+    bool skip = true;                   ///< false: as `render --no-skip`
     SourceLocation where;
+    SourceLocation whereGraph;
 
     bool isTimed() const { return !graph.empty(); }
 };

@@ -6,6 +6,14 @@
 namespace nephrite::scattering {
 namespace {
 
+/// Extinction below this, 1/mm, is none: light goes farther than any length squared can say, and formulas of
+/// diffusion, which multiply coefficients, would lose some of them and keep others.
+constexpr double leastExtinction = 1e-100;
+
+double extinctionOrNone(double sum) {
+    return sum >= leastExtinction ? sum : 0;
+}
+
 /// part / whole, and 0 where there is no whole.
 double fraction(double part, double whole) {
     return whole > 0 ? part / whole : 0;
@@ -14,7 +22,7 @@ double fraction(double part, double whole) {
 }  // namespace
 
 double extinction(const Medium& medium) {
-    return medium.absorption + medium.scattering;
+    return extinctionOrNone(medium.absorption + medium.scattering);
 }
 
 double albedo(const Medium& medium) {
@@ -26,7 +34,7 @@ double reducedScattering(const Medium& medium) {
 }
 
 double reducedExtinction(const Medium& medium) {
-    return medium.absorption + reducedScattering(medium);
+    return extinctionOrNone(medium.absorption + reducedScattering(medium));
 }
 
 double reducedAlbedo(const Medium& medium) {

@@ -12,13 +12,13 @@ struct Medium {
     double eta = 1;         ///< refractive index inside over the one outside
 };
 
-/// sigma_t = sigma_a + sigma_s, 1/mm.
+/// sigma_t = sigma_a + sigma_s, 1/mm; 0 below 1e-100, as if the medium were clear.
 double extinction(const Medium& medium);
 /// sigma_s / sigma_t; 0 for a clear medium.
 double albedo(const Medium& medium);
 /// sigma_s' = (1 - g) sigma_s, 1/mm: the isotropic scattering that spreads light as fast.
 double reducedScattering(const Medium& medium);
-/// sigma_t' = sigma_s' + sigma_a, 1/mm.
+/// sigma_t' = sigma_s' + sigma_a, 1/mm; 0 below 1e-100.
 double reducedExtinction(const Medium& medium);
 /// alpha' = sigma_s' / sigma_t'; 0 where the medium neither scatters nor absorbs.
 double reducedAlbedo(const Medium& medium);

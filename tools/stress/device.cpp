@@ -16,8 +16,6 @@
 namespace nephrite::stress {
 namespace {
 
-constexpr std::uint32_t size = 16;  ///< pixels along an edge of the picture
-
 /// Every output of every node whose values are light or geometry, as "node.port": no depth buffers, no
 /// integers, nothing that another node overwrites within the frame.
 std::vector<std::string> portsOf(const graph::LinkedGraph& graph) {
@@ -95,6 +93,7 @@ bool isBounded(const SceneValues& scene) {
 /// The integral of radiance times projected area over what the picture shows, W/sr, by channel.
 Triple radiated(const image::Image& color, const image::Image& position, const SceneValues& scene) {
     Triple sum{};
+    const std::uint32_t size = color.width;
     const double slope = std::tan(scene.fovY * std::numbers::pi / 360);
     for (std::uint32_t y = 0; y < size; ++y) {
         for (std::uint32_t x = 0; x < size; ++x) {
@@ -128,7 +127,8 @@ void checkFrame(runtime::Session& session, const GraphChoice& choice, const std:
                       fmt::format("{}: {:.3g} W/sr towards the camera, bound {:.3g}", graph, channel, bound));
 }
 
-runtime::SessionOptions optionsFor(const SceneValues& scene, const GraphChoice& graph, const Place& place) {
+runtime::SessionOptions optionsFor(const SceneValues& scene, const GraphChoice& graph, const Place& place,
+                                   std::uint32_t size) {
     runtime::SessionOptions options;
     options.scene = write(scene, place.folder);
     options.graph = graph.file;
@@ -160,7 +160,7 @@ void checkOnDevice(const SceneValues& scene, const std::vector<GraphChoice>& gra
         if (session) {
             session->setGraph({graph.file, graph.settings, ports});
         } else {
-            runtime::SessionOptions options = optionsFor(scene, graph, place);
+            runtime::SessionOptions options = optionsFor(scene, graph, place, stressedSize);
             options.dumps = ports;
             session.emplace(options);
         }
@@ -169,23 +169,32 @@ void checkOnDevice(const SceneValues& scene, const std::vector<GraphChoice>& gra
 }
 
 std::vector<Triple> pictureMeans(const SceneValues& scene, const std::vector<GraphChoice>& graphs,
-                                 const Place& place) {
+                                 const Place& place, std::uint32_t size) {
     std::vector<Triple> means;
     std::optional<runtime::Session> session;
     for (const GraphChoice& graph : graphs) {
         if (session)
             session->setGraph({graph.file, graph.settings, {}});
         else
-            session.emplace(optionsFor(scene, graph, place));
+            session.emplace(optionsFor(scene, graph, place, size));
         session->renderFrame(0);
         const image::Image picture = session->read("color");
         Triple& mean = means.emplace_back();
         for (std::uint32_t y = 0; y < size; ++y)
             for (std::uint32_t x = 0; x < size; ++x)
                 for (std::uint32_t c = 0; c < 3; ++c)
-                    mean[c] += static_cast<double>(picture.at(x, y, c)) / (size * size);
+                    mean[c] += static_cast<double>(picture.at(x, y, c)) / (double{1} * size * size);
     }
     return means;
+}
+
+Triple radiantIntensity(const SceneValues& scene, const GraphChoice& graph, const Place& place,
+                        std::uint32_t size) {
+    runtime::SessionOptions options = optionsFor(scene, graph, place, size);
+    options.dumps = {"gbuffer.position"};
+    runtime::Session session(options);
+    session.renderFrame(0);
+    return radiated(session.read("color"), session.read("gbuffer.position"), scene);
 }
 
 }  // namespace nephrite::stress

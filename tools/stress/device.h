@@ -1,6 +1,7 @@
 // Stressed scenes through whole graphs on the device: every image of every node is looked at.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -33,8 +34,16 @@ GraphChoice graphNamed(const std::string& name);
 void checkOnDevice(const SceneValues& scene, const std::vector<GraphChoice>& graphs, const Place& place,
                    Outcome& outcome);
 
-/// The mean of the picture's red, green and blue for each graph.
+/// Pixels along an edge of the pictures of stressed scenes.
+constexpr std::uint32_t stressedSize = 16;
+
+/// The mean of red, green and blue of a picture of `size` x `size` pixels for each graph.
 std::vector<Triple> pictureMeans(const SceneValues& scene, const std::vector<GraphChoice>& graphs,
-                                 const Place& place);
+                                 const Place& place, std::uint32_t size = stressedSize);
+
+/// Radiant intensity, W/sr, of what is seen towards the camera, by channel, from a picture of `size` x `size`
+/// pixels. The graph must have a node "gbuffer".
+Triple radiantIntensity(const SceneValues& scene, const GraphChoice& graph, const Place& place,
+                        std::uint32_t size);
 
 }  // namespace nephrite::stress

@@ -1,9 +1,11 @@
 // See laws.h.
 #include "stress/laws.h"
 
-#include <fmt/format.h>
+#include <cstddef>
+#include <limits>
 
-#include <cmath>
+#include "stress/axes.h"
+#include "stress/law_checks.h"
 
 namespace nephrite::stress {
 namespace {
@@ -14,32 +16,6 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 /// of some tenths of a percent.
 std::vector<GraphChoice> smoothGraphs() {
     return {graphNamed("consistent"), graphNamed("light-pyramid")};
-}
-
-/// Scenes whose pictures must have the same means as that of their limit.
-struct Limit {
-    std::string name;
-    std::vector<SceneValues> scenes;
-    SceneValues limit;
-    double tolerance;  ///< relative
-};
-
-void checkSame(const Limit& law, const Place& place, Outcome& outcome) {
-    const auto graphs = smoothGraphs();
-    const auto expected = pictureMeans(law.limit, graphs, place);
-    for (const SceneValues& scene : law.scenes) {
-        const auto means = pictureMeans(scene, graphs, place);
-        for (std::size_t graph = 0; graph < graphs.size(); ++graph) {
-            for (std::size_t c = 0; c < 3; ++c) {
-                const double difference = std::abs(means[graph][c] - expected[graph][c]);
-                outcome.check(
-                    difference <= law.tolerance * expected[graph][c],
-                    fmt::format("{}: mean {:.6g} of channel {}, expected {:.6g} within {:.2g} of it",
-                                graphs[graph].file.stem().string(), means[graph][c], c, expected[graph][c],
-                                law.tolerance));
-            }
-        }
-    }
 }
 
 SceneValues sphereOf(const MaterialValues& material) {
@@ -124,23 +100,23 @@ std::vector<Limit> limitLaws() {
     return laws;
 }
 
-/// The more is absorbed, the darker the picture.
-void checkFallsWithAbsorption(const MaterialValues& material, const Place& place, Outcome& outcome) {
-    const auto graphs = smoothGraphs();
-    std::vector<Triple> last;
-    for (const double absorption : {0.0, 0.01, 0.1, 1.0, 10.0}) {
-        SceneValues scene = sphereOf(material);
-        for (LayerValues& layer : scene.materials[0].layers)
-            layer.absorption = {absorption, absorption, absorption};
-        const auto means = pictureMeans(scene, graphs, place);
-        for (std::size_t graph = 0; graph < graphs.size() && !last.empty(); ++graph)
-            for (std::size_t c = 0; c < 3; ++c)
-                outcome.check(means[graph][c] < last[graph][c],
-                              fmt::format("{}: mean {:.6g} of channel {} at absorption {}, {:.6g} at less",
-                                          graphs[graph].file.stem().string(), means[graph][c], c, absorption,
-                                          last[graph][c]));
-        last = means;
-    }
+/// Media, shapes and light from the front and from behind.
+std::vector<NamedScene> scenesOfSizes() {
+    const std::vector<NamedMaterial> all = materials();
+    std::vector<NamedScene> scenes;
+    for (const std::size_t i : {0U, 1U, 4U}) scenes.push_back({all[i].name, sphereOf(all[i].material)});
+    scenes.push_back({"slab", sphereOf(all[2].material)});
+    scenes.back().scene.objects[0].shape = Shape::slab;
+    scenes.push_back({"from-behind", sphereOf(all[0].material)});
+    scenes.back().scene.materials[0].eta = 1;
+    scenes.back().scene.lights[0].position = {8, 12, -40};
+    return scenes;
+}
+
+/// Spheres of 2, 20 and 200 free paths' radius that absorb nothing.
+std::vector<NamedMaterial> whiteMaterials() {
+    const LayerValues white{{0, 0, 0}, {0.2, 2, 20}};
+    return {{"index-matched", {{white}, 0, 1}}, {"refracting", {{white}, 0, 1.3}}};
 }
 
 }  // namespace
@@ -149,10 +125,20 @@ std::vector<Case> lawCases(const Place& place) {
     std::vector<Case> cases;
     for (const auto& laws : {scaleLaws(), limitLaws()})
         for (const Limit& law : laws)
-            cases.push_back({"law/" + law.name, [law, place](Outcome& o) { checkSame(law, place, o); }});
+            cases.push_back(
+                {"law/" + law.name, [law, place](Outcome& o) { checkLimit(law, smoothGraphs(), place, o); }});
     for (const NamedMaterial& named : someMaterials())
-        cases.push_back({"law/falls-with-absorption+" + named.name,
-                         [named, place](Outcome& o) { checkFallsWithAbsorption(named.material, place, o); }});
+        cases.push_back({"law/falls-with-absorption+" + named.name, [named, place](Outcome& o) {
+                             checkFallsWithAbsorption(named.material, smoothGraphs(), place, o);
+                         }});
+    for (const NamedScene& named : scenesOfSizes())
+        cases.push_back({"law/same-at-every-size+" + named.name, [named, place](Outcome& o) {
+                             checkSameAtEverySize(named.scene, {graphNamed("consistent")}, place, o);
+                         }});
+    for (const NamedMaterial& named : whiteMaterials())
+        cases.push_back({"law/keeps-power+" + named.name, [named, place](Outcome& o) {
+                             checkKeepsPower(named.material, graphNamed("consistent"), place, o);
+                         }});
     return cases;
 }
 

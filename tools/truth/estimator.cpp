@@ -25,6 +25,10 @@ std::uint32_t photonsWorthwhile(const World& world, std::uint64_t seed, std::uin
 /// Paths through the medium; each channel has its own.
 class WalkEstimator : public Estimator {
   public:
+    /// To be raised with every change here, to walks, photons, connections or the geometry under them, after
+    /// which the same request gives another picture: kept references are then rendered anew.
+    static constexpr std::uint32_t revision = 1;
+
     WalkEstimator(const World& world, std::uint64_t seed, Scatterings scatterings, std::uint32_t photons)
         : world_(world), seed_(seed), scatterings_(scatterings) {
         if (!hasUnconnectedLight(world)) return;
@@ -101,6 +105,10 @@ DipoleMaterial dipoleMaterial(const Material& material) {
 /// Each sample gathers a set of flux points of its own.
 class DipoleEstimator : public Estimator {
   public:
+    /// To be raised with every change here, to the flux points, their tree or the kernel, after which the
+    /// same request gives another picture.
+    static constexpr std::uint32_t revision = 1;
+
     DipoleEstimator(const World& world, std::uint64_t seed, std::uint32_t fluxPoints)
         : world_(world), seed_(seed), fluxPoints_(fluxPoints) {
         for (std::uint32_t object = 0; object < world.geometry().objectCount(); ++object)
@@ -138,7 +146,14 @@ class DipoleEstimator : public Estimator {
     std::vector<FluxTree> trees_;  ///< by object
 };
 
-void requireHomogeneousFirstLayers(const scene::Scene& scene) {
+}  // namespace
+
+std::uint32_t revisionOf(Mode mode) {
+    return mode == Mode::Dipole ? DipoleEstimator::revision : WalkEstimator::revision;
+}
+
+void requireSuitable(const scene::Scene& scene, Mode mode) {
+    if (mode != Mode::Dipole) return;
     for (const scene::MaterialDescription& material : scene.description().materials) {
         if (material.layers.empty()) continue;
         const scene::LayerDescription& first = material.layers.front();
@@ -148,14 +163,11 @@ void requireHomogeneousFirstLayers(const scene::Scene& scene) {
     }
 }
 
-}  // namespace
-
 std::unique_ptr<Estimator> makeEstimator(const World& world, const EstimatorOptions& options,
                                          const scene::Scene& scene) {
-    if (options.mode == Mode::Dipole) {
-        requireHomogeneousFirstLayers(scene);
+    requireSuitable(scene, options.mode);
+    if (options.mode == Mode::Dipole)
         return std::make_unique<DipoleEstimator>(world, options.seed, options.fluxPoints);
-    }
     const Scatterings scatterings = options.mode == Mode::Single ? Scatterings::One : Scatterings::Any;
     return std::make_unique<WalkEstimator>(world, options.seed, scatterings, options.photons);
 }

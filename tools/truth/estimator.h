@@ -31,6 +31,10 @@ class Estimator {
                         std::uint32_t sample, std::span<double> values) const = 0;
 };
 
+/// The revision of the estimator behind a mode. It is part of a picture's record, so that references of an
+/// older one are not taken for this one's.
+std::uint32_t revisionOf(Mode mode);
+
 /// Settings of the estimators.
 struct EstimatorOptions {
     Mode mode = Mode::Volume;
@@ -39,8 +43,11 @@ struct EstimatorOptions {
     std::uint32_t photons = 1 << 18;     ///< single, volume: a light and sample, at most
 };
 
-/// The world, which is of the scene, must outlive it. Throws InputError if the dipole, which is of a
-/// homogeneous medium, meets a textured first layer.
+/// Throws InputError if the mode is not defined for the scene: the dipole, which is of a homogeneous medium,
+/// meets a textured first layer.
+void requireSuitable(const scene::Scene& scene, Mode mode);
+
+/// The world, which is of the scene, must outlive it. Throws as requireSuitable().
 std::unique_ptr<Estimator> makeEstimator(const World& world, const EstimatorOptions& options,
                                          const scene::Scene& scene);
 

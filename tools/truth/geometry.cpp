@@ -7,11 +7,10 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/glm.hpp>
-#include <glm/gtc/matrix_inverse.hpp>
-#include <span>
 
 #include "scene/scene_state.h"
 #include "text/diagnostics.h"
+#include "truth/placed_mesh.h"
 
 namespace nephrite::truth {
 namespace {
@@ -24,29 +23,6 @@ struct ReleaseScene {
 };
 using Device = std::unique_ptr<RTCDeviceTy, ReleaseDevice>;
 using EmbreeScene = std::unique_ptr<RTCSceneTy, ReleaseScene>;
-
-/// An object's mesh in the world.
-struct PlacedMesh {
-    std::vector<glm::vec3> positions;  ///< mm
-    std::vector<glm::dvec3> normals;
-    std::span<const glm::vec2> textureCoordinates;
-    std::span<const std::uint32_t> indices;
-    std::uint32_t material = 0;
-};
-
-PlacedMesh place(const scene::Mesh& rest, std::span<const glm::vec3> positions,
-                 std::span<const glm::vec3> normals, const glm::dmat4& world, std::uint32_t material) {
-    PlacedMesh mesh;
-    const glm::dmat3 normalMatrix = glm::inverseTranspose(glm::dmat3(world));
-    for (const glm::vec3& position : positions)
-        mesh.positions.emplace_back(world * glm::dvec4(glm::dvec3(position), 1));
-    for (const glm::vec3& normal : normals)
-        mesh.normals.push_back(glm::normalize(normalMatrix * glm::dvec3(normal)));
-    mesh.textureCoordinates = rest.textureCoordinates;
-    mesh.indices = rest.indices;
-    mesh.material = material;
-    return mesh;
-}
 
 /// Embree keeps a copy: its buffers must be padded, and what it finds is looked up here anyway.
 void attach(RTCDevice device, RTCScene target, const PlacedMesh& mesh, std::uint32_t object) {
@@ -62,50 +38,6 @@ void attach(RTCDevice device, RTCScene target, const PlacedMesh& mesh, std::uint
     rtcCommitGeometry(geometry);
     rtcAttachGeometryByID(target, geometry, object);
     rtcReleaseGeometry(geometry);
-}
-
-/// How fast the barycentric weights of corners 1 and 2 change along the triangle.
-struct WeightGradients {
-    glm::dvec3 second;
-    glm::dvec3 third;
-};
-
-WeightGradients weightGradients(const Triangle& triangle) {
-    const glm::dvec3 a = triangle.positions[1] - triangle.positions[0];
-    const glm::dvec3 b = triangle.positions[2] - triangle.positions[0];
-    const glm::dvec3 normal = glm::cross(a, b);
-    const double squaredArea = glm::dot(normal, normal);
-    return {glm::cross(b, normal) / squaredArea, glm::cross(normal, a) / squaredArea};
-}
-
-glm::dvec3 interpolatedNormal(const Triangle& triangle, const glm::dvec3& weights) {
-    return weights.x * triangle.normals[0] + weights.y * triangle.normals[1] +
-           weights.z * triangle.normals[2];
-}
-
-/// Closest point of a triangle to a point, as barycentric weights (Ericson, Real-Time Collision Detection,
-/// 2005, 5.1.5).
-glm::dvec3 closestWeights(const Triangle& triangle, const glm::dvec3& point) {
-    const glm::dvec3 ab = triangle.positions[1] - triangle.positions[0];
-    const glm::dvec3 ac = triangle.positions[2] - triangle.positions[0];
-    const glm::dvec3 fromA = point - triangle.positions[0];
-    const glm::dvec3 fromB = point - triangle.positions[1];
-    const glm::dvec3 fromC = point - triangle.positions[2];
-    const double d1 = glm::dot(ab, fromA), d2 = glm::dot(ac, fromA);
-    if (d1 <= 0 && d2 <= 0) return {1, 0, 0};
-    const double d3 = glm::dot(ab, fromB), d4 = glm::dot(ac, fromB);
-    if (d3 >= 0 && d4 <= d3) return {0, 1, 0};
-    const double areaC = d1 * d4 - d3 * d2;
-    if (areaC <= 0 && d1 >= 0 && d3 <= 0) return {1 - d1 / (d1 - d3), d1 / (d1 - d3), 0};
-    const double d5 = glm::dot(ab, fromC), d6 = glm::dot(ac, fromC);
-    if (d6 >= 0 && d5 <= d6) return {0, 0, 1};
-    const double areaB = d5 * d2 - d1 * d6;
-    if (areaB <= 0 && d2 >= 0 && d6 <= 0) return {1 - d2 / (d2 - d6), 0, d2 / (d2 - d6)};
-    const double areaA = d3 * d6 - d5 * d4;
-    const double alongBC = (d4 - d3) / ((d4 - d3) + (d5 - d6));
-    if (areaA <= 0 && d4 >= d3 && d5 >= d6) return {0, 1 - alongBC, alongBC};
-    const double whole = areaA + areaB + areaC;
-    return {areaA / whole, areaB / whole, areaC / whole};
 }
 
 /// The part of a ray, as distances, that can meet anything.

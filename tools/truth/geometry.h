@@ -13,6 +13,7 @@
 
 #include "scene/bounds.h"
 #include "scene/scene.h"
+#include "truth/triangle.h"
 
 namespace nephrite::truth {
 
@@ -30,12 +31,6 @@ struct SurfacePoint {
     glm::dvec3 facetNormal{0, 0, 1};    ///< unit, of the triangle, outwards
     glm::dvec3 normal{0, 0, 1};         ///< unit, interpolated between the vertices' normals
     glm::dvec3 weights{1.0, 0.0, 0.0};  ///< barycentric, of the triangle's corners
-};
-
-/// One triangle: its corners and the unit normals there.
-struct Triangle {
-    glm::dvec3 positions[3];
-    glm::dvec3 normals[3];
 };
 
 /// Where a point lies below a surface.

@@ -26,17 +26,19 @@ class Unfinished {
         heading_ = toText(record);
     }
 
-    /// Throws InputError if there is one of another run.
-    void load(Rendering& rendering) const {
+    /// Continues from the file, if there is one; one that is broken is left alone, with a line to `watcher`.
+    /// Throws InputError if it is of another run.
+    void load(Rendering& rendering, const Watcher& watcher) const {
         std::ifstream stream(file_, std::ios::binary);
         if (!stream) return;
         std::ostringstream text;
         text << stream.rdbuf();
         const std::string saved = text.str();
-        const bool isOurs = saved.starts_with(heading_);
-        if (!isOurs || !rendering.restore(std::string_view(saved).substr(heading_.size())))
+        if (!saved.starts_with(heading_))
             throw InputError({file_.string()},
                              "holds the unfinished work of another command; remove it to start anew");
+        if (!rendering.restore(std::string_view(saved).substr(heading_.size())))
+            watcher.say(fmt::format("{}: is damaged, all starts anew", file_.string()));
     }
     void save(const Rendering& rendering) const { image::writeFile(file_, heading_ + rendering.save()); }
     void remove() const {
@@ -68,6 +70,27 @@ void renderAll(Rendering& rendering, const Unfinished& unfinished, unsigned thre
     }
 }
 
+/// Whether the file is there and says that it is this run's.
+bool isFinished(const std::filesystem::path& file, const ReferenceRequest& request,
+                const image::Metadata& record, std::string_view content) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(file, ignored)) return false;
+    try {
+        const image::ExrFile found = image::readExr(file);
+        return found.image.width == request.width && found.image.height == request.height &&
+               isOf(record, content, found);
+    } catch (const InputError&) {
+        return false;
+    }
+}
+
+bool areFinished(const ReferenceFiles& files, const ReferenceRequest& request,
+                 const image::Metadata& record) {
+    return isFinished(files.picture, request, record, "radiance") &&
+           (files.standardErrors.empty() ||
+            isFinished(files.standardErrors, request, record, "standard error"));
+}
+
 }  // namespace
 
 std::string_view name(Mode mode) {
@@ -90,6 +113,7 @@ std::optional<Mode> parseMode(std::string_view text) {
 
 image::Metadata recordOf(const ReferenceRequest& request, const scene::Scene& scene) {
     image::Metadata record{{"mode", std::string(name(request.estimator.mode))},
+                           {"revision", fmt::format("{}", revisionOf(request.estimator.mode))},
                            {"scene", request.scene.string()},
                            {"sceneDigest", digestOf(scene.files())},
                            {"samples", fmt::format("{}", request.samples)},
@@ -106,17 +130,20 @@ image::Metadata recordOf(const ReferenceRequest& request, const scene::Scene& sc
 
 void renderReference(const ReferenceRequest& request, const scene::Scene& scene, const ReferenceFiles& files,
                      unsigned threads, const Watcher& watcher) {
+    image::Metadata record = recordOf(request, scene);
+    if (areFinished(files, request, record))
+        return watcher.say(fmt::format("{}: is finished, by the same command; remove it to render it anew",
+                                       files.picture.string()));
     const World world(scene, request.time);
     const auto estimator = makeEstimator(world, request.estimator, scene);
     const Camera camera(scene.description().camera, request.width, request.height);
     Rendering rendering(world, camera, *estimator, request.part.value_or(Part{}), request.samples);
 
-    image::Metadata record = recordOf(request, scene);
     const Unfinished unfinished(files.picture, request, record);
     // So that hours of work do not end at a folder that is not there.
     image::OutputFile(files.picture);
     if (!files.standardErrors.empty()) image::OutputFile(files.standardErrors);
-    unfinished.load(rendering);
+    unfinished.load(rendering, watcher);
     renderAll(rendering, unfinished, threads, watcher);
     record["content"] = "radiance";
     image::writeExr(files.picture, rendering.picture(), record);

@@ -40,8 +40,9 @@ image::Metadata recordOf(const ReferenceRequest& request, const scene::Scene& sc
 
 /// Renders on `threads` threads and writes the files, each whole or not at all. What is done goes to
 /// PICTURE.unfinished every minute and when the watcher says stop; the same request continues from there, to
-/// the same bits. Throws RunError when stopped or if a file cannot be written, InputError if
-/// PICTURE.unfinished is of another request or the scene does not suit the mode.
+/// the same bits. Files that are there already and of the same request are left as they are. Throws RunError
+/// when stopped or if a file cannot be written, InputError if PICTURE.unfinished is of another request or the
+/// scene does not suit the mode.
 void renderReference(const ReferenceRequest& request, const scene::Scene& scene, const ReferenceFiles& files,
                      unsigned threads, const Watcher& watcher);
 

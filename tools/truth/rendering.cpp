@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <cstring>
 #include <exception>
 #include <limits>
@@ -178,18 +179,32 @@ std::string Rendering::save() const {
     return bytes;
 }
 
+/// Whole rounds, or all.
+bool Rendering::canHaveDone(std::uint32_t samples) const {
+    return samples == samples_ || (samples < samples_ && samples % estimator_.samplesPerRound() == 0);
+}
+
 bool Rendering::restore(std::string_view saved) {
     std::size_t expected = 0;
     for (const auto& values : statistics_)
         expected += sizeof(std::uint32_t) + values.size() * sizeof(SavedValue);
     if (saved.size() != expected) return false;
-    for (std::size_t tile = 0; tile < tiles_.size(); ++tile) {
-        samplesDone_[tile] = take<std::uint32_t>(saved);
-        for (scattering::RunningStatistics& value : statistics_[tile]) {
+    std::vector<std::uint32_t> samplesDone;
+    auto statistics = statistics_;
+    for (auto& tile : statistics) {
+        const auto done = take<std::uint32_t>(saved);
+        if (!canHaveDone(done)) return false;
+        samplesDone.push_back(done);
+        for (scattering::RunningStatistics& value : tile) {
             const auto kept = take<SavedValue>(saved);
-            value = {samplesDone_[tile], kept.mean, kept.squaredDeviations};
+            if (!std::isfinite(kept.mean) || !std::isfinite(kept.squaredDeviations) ||
+                kept.squaredDeviations < 0)
+                return false;
+            value = {done, kept.mean, kept.squaredDeviations};
         }
     }
+    samplesDone_ = std::move(samplesDone);
+    statistics_ = std::move(statistics);
     return true;
 }
 

@@ -17,7 +17,8 @@ namespace nephrite::truth {
 /// What a rendering asks its owner while it runs, from the thread that runs it.
 struct Watcher {
     std::function<bool()> stop = [] { return false; };
-    std::function<void(double)> progress = [](double) {};  ///< done so far, 0 to 1
+    std::function<void(double)> progress = [](double) {};                     ///< done so far, 0 to 1
+    std::function<void(const std::string&)> say = [](const std::string&) {};  ///< a line for the reader
 };
 
 class Rendering {
@@ -39,7 +40,8 @@ class Rendering {
 
     /// All that is done, as bytes of this machine.
     std::string save() const;
-    /// Continues from saved bytes. False, and nothing happens, if they are not of this rendering's size.
+    /// Continues from saved bytes. False, and nothing happens, if they cannot be what a rendering of this
+    /// size saved: too many samples, or values that are not finite.
     bool restore(std::string_view saved);
 
   private:
@@ -47,6 +49,7 @@ class Rendering {
     void renderRound(unsigned threads, const Watcher& watcher, std::uint32_t first, std::uint32_t last);
     /// Samples first to last - 1 of a tile into `statistics`; false if told to stop.
     bool renderTile(std::size_t tile, std::uint32_t first, std::uint32_t last, Round& round);
+    bool canHaveDone(std::uint32_t samples) const;
     image::Image assemble(bool errors) const;
     double fractionDone() const;
 

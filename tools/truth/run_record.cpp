@@ -108,6 +108,20 @@ std::string toText(const image::Metadata& record) {
     return text + "\n";
 }
 
+bool isOf(const image::Metadata& record, std::string_view content, const image::ExrFile& picture,
+          std::span<const std::string_view> ignored) {
+    const auto has = [&](const std::string& name, std::string_view value) {
+        const auto attribute = picture.metadata.find(name);
+        return attribute != picture.metadata.end() && attribute->second == value;
+    };
+    const bool isPart = picture.metadata.contains("part");
+    if (isPart != record.contains("part") || !has("content", content)) return false;
+    return std::all_of(record.begin(), record.end(), [&](const auto& entry) {
+        const auto& [name, value] = entry;
+        return std::find(ignored.begin(), ignored.end(), name) != ignored.end() || has(name, value);
+    });
+}
+
 image::ExrFile merge(const std::vector<std::filesystem::path>& files) {
     const PartPicture first = readPart(files.front());
     image::ExrFile whole = first.file;

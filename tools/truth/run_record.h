@@ -5,7 +5,9 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "image/exr.h"
@@ -19,6 +21,11 @@ std::string digestOf(const std::vector<std::filesystem::path>& files);
 /// "I/N" with 1 <= I <= N <= 1000000; nothing for other text.
 std::optional<Part> parsePart(std::string_view text);
 std::string toText(const Part& part);
+
+/// Whether a picture is what a run of this record writes as its `content`, "radiance" or "standard error".
+/// Attributes called one of `ignored` may differ.
+bool isOf(const image::Metadata& record, std::string_view content, const image::ExrFile& picture,
+          std::span<const std::string_view> ignored = {});
 
 /// Puts pictures of parts together. They must say the same of their run and be all its parts, each once;
 /// the attribute "part" is not kept. Throws InputError naming the file that does not fit.
