@@ -11,6 +11,7 @@
 #include <cerrno>
 #include <cstdint>
 #include <system_error>
+#include <utility>
 
 #include "text/diagnostics.h"
 

@@ -14,12 +14,12 @@ void append(std::vector<float>& values, double value) {
 }  // namespace
 
 float TimeSeries::medianGpuMs() const {
-    std::vector<float> ran;
+    std::vector<float> frames;
     for (std::size_t i = 0; i < gpuMs.size(); ++i)
-        if (gpuMs[i] > 0) ran.push_back(gpuMs[i]);
-    if (ran.empty()) return 0;
-    const auto middle = ran.begin() + static_cast<std::ptrdiff_t>(ran.size() / 2);
-    std::nth_element(ran.begin(), middle, ran.end());
+        if (gpuMs[i] > 0) frames.push_back(gpuMs[i]);
+    if (frames.empty()) return 0;
+    const auto middle = frames.begin() + static_cast<std::ptrdiff_t>(frames.size() / 2);
+    std::nth_element(frames.begin(), middle, frames.end());
     return *middle;
 }
 

@@ -9,6 +9,7 @@
 #include <filesystem>
 
 #include "gpu/commands.h"
+#include "gpu/result.h"
 #include "view/style.h"
 
 namespace nephrite::view {

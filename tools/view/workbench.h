@@ -66,10 +66,9 @@ class Workbench {
     /// The looked-at port in the last frame, at the chosen level and layer: its true values. Read when first
     /// asked for. Throws RunError if nothing computes it.
     const image::Image& values();
-    /// Nothing without a reference. Computed anew for another frame. Throws InputError if the two cannot be
-    /// compared.
-    const std::optional<LiveError>& error();
-    const std::optional<image::Image>& reference() const { return reference_; }
+    /// Of values() against the reference; nothing without one. Computed when first asked for. Throws as
+    /// values().
+    const std::optional<image::ReferenceError>& error();
 
     /// What was looked at, as the screen shows it or with its true values.
     void writePng(const std::filesystem::path& file);
