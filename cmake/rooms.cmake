@@ -28,3 +28,15 @@ function(nephrite_room name)
     list(TRANSFORM ARG_ROOMS PREPEND nephrite_)
     target_link_libraries(nephrite_${name} PUBLIC ${ARG_ROOMS} ${ARG_PACKAGES} fmt::fmt PRIVATE nephrite_flags)
 endfunction()
+
+# Builds framework/NAME/page/ (page.html, page.css and the scripts, in this order) into the room as one text.
+function(nephrite_page name)
+    cmake_parse_arguments(ARG "" "" "SCRIPTS" ${ARGN})
+    set(folder ${PROJECT_SOURCE_DIR}/framework/${name}/page)
+    set(output ${CMAKE_CURRENT_BINARY_DIR}/${name}_page_template.cpp)
+    list(TRANSFORM ARG_SCRIPTS PREPEND ${folder}/ OUTPUT_VARIABLE scripts)
+    add_custom_command(OUTPUT ${output}
+        COMMAND ${CMAKE_COMMAND} -DFOLDER=${folder} "-DSCRIPTS=${ARG_SCRIPTS}" -DOUTPUT=${output} -P ${PROJECT_SOURCE_DIR}/cmake/page.cmake
+        DEPENDS ${folder}/page.html ${folder}/page.css ${scripts} ${PROJECT_SOURCE_DIR}/cmake/page.cmake VERBATIM)
+    target_sources(nephrite_${name} PRIVATE ${output})
+endfunction()

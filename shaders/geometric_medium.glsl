@@ -17,6 +17,7 @@ struct GeometricMedium {
     vec3 apart;          // which part of that the sources leave out
     vec3 fluenceShare;   // which part of the exitance follows the fluence, the rest the flow
     vec3 planeShare;     // what a plane's sources need for a total of 1
+    vec3 slabDepth;      // (z_r + z_b) e^(-sigma_tr z_b) (1 - e^-2x)/x, x = sigma_tr (z_r + z_b), mm: see shareOfSlab
 };
 
 /// Which part of single scattering the sources leave out, by sqrt(1 - alpha'). Where absorption is low their total carries
@@ -33,13 +34,25 @@ vec3 partOfFluence(vec3 absorbed) {
     return min(0.8 * absorbed, vec3(0.12));
 }
 
+/// (1 - e^-2x)/x.
+vec3 fallOver(vec3 x) {
+    return mix((1.0 - exp(-2.0 * x)) / max(x, vec3(1e-3)), 2.0 - 2.0 * x, lessThan(x, vec3(1e-3)));
+}
+
 /// 1 over what a plane of unit sources and their mirror images sends through the surface, x = sigma_tr z_b: the flow
 /// 2 pi (1 + e^-2x), the fluence times D/z_b 2 pi (1 - e^-2x)/x.
 vec3 planeShareOf(vec3 x, vec3 fluenceShare) {
     const float inverseTwoPi = 0.159154943091895;
-    vec3 mirrored = exp(-2.0 * x);
-    vec3 fluence = mix((1.0 - mirrored) / max(x, vec3(1e-3)), 2.0 - 2.0 * x, lessThan(x, vec3(1e-3)));
-    return inverseTwoPi / mix(1.0 + mirrored, fluence, fluenceShare);
+    return inverseTwoPi / mix(1.0 + exp(-2.0 * x), fallOver(x), fluenceShare);
+}
+
+/// What a slab `thick` mm deep lets through in diffusion, sinh(sigma_tr (z_r + z_b))/sinh(sigma_tr (thick + 2 z_b)), over what
+/// the source alone sends through its back, e^(-sigma_tr (thick - z_r))/2: at most 1. y + y coth y is taken as
+/// y + sqrt(1 + y^2), y = sigma_tr (thick + 2 z_b).
+vec3 shareOfSlab(GeometricMedium medium, float thick) {
+    vec3 whole = thick + medium.extrapolation;
+    vec3 y = medium.transport * whole;
+    return min(medium.slabDepth / whole * (y + sqrt(1.0 + y * y)), vec3(1.0));
 }
 
 GeometricMedium geometricMediumOf(ShadedPoint point) {
@@ -52,9 +65,12 @@ GeometricMedium geometricMediumOf(ShadedPoint point) {
     const float twiceMilne = 1.4209;
     vec3 extrapolation = twiceMilne * boundary * dipole.realDepth;
     vec3 share = partOfFluence(absorbed);
+    vec3 toBoundary = 0.5 * dipole.transport * extrapolation;
+    vec3 deep = dipole.realDepth + 0.5 * extrapolation;
+    vec3 slabDepth = deep * exp(-toBoundary) * fallOver(dipole.transport * deep);
     return GeometricMedium(dipole.transport, dipole.realDepth, extrapolation, absorbed,
                            halfSpaceReflectance(dipole, point.absorption, point.eta), single, partApart(absorbed),
-                           share, planeShareOf(0.5 * dipole.transport * extrapolation, share));
+                           share, planeShareOf(toBoundary, share), slabDepth);
 }
 
 /// Strength of the sources of light that entered at `cosine`, per 4 pi: what a half space reflects of it, over what the

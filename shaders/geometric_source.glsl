@@ -77,12 +77,13 @@ DiffuseFlow flowFrom(Entry entry, float flux, SourceDepths depths, ShadedPoint p
     vec3 more = medium.fluenceShare * (fluence - own);
 
     // Where light comes through to a surface that faces the other way, the plane of entry is not the boundary it leaves by, so
-    // what the mirror image there takes away does not count. Where it would have to cross the outside, there is none.
+    // what the mirror image there takes away does not count, up to what a slab so thick lets through. Where it would have to
+    // cross the outside, there is none.
     float opposite = clamp(-dot(entry.normal, point.normal), 0.0, 1.0);
     float below = -entry.alongNormal * inversesqrt(max(entry.squaredAlong, 1e-30));
     vec3 taken = mirror.fallen * dot(entry.along, point.normal) -
                  mirror.mean * (medium.freePath * dot(entry.travel, point.normal) + height * dot(entry.normal, point.normal));
-    more += opposite * smoothstep(0.0, 0.3, below) * max(taken, vec3(0.0));
+    more += opposite * smoothstep(0.0, 0.3, below) * shareOfSlab(medium, max(-entry.alongNormal, 0.0)) * max(taken, vec3(0.0));
     float inside = 1.0 - opposite * (1.0 - smoothstep(-0.2, 0.2, below));
 
     vec3 strength = flux * inside * strengthOf(medium, entry.cosine);

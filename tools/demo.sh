@@ -14,9 +14,9 @@ mkdir -p out
 echo "demo: rendering $graph"
 "$nephrite" render "$graph" -o out/consistent.exr -o out/consistent.png
 "$nephrite" render "$graph" --profile --frames 10 --timings out/timings.json
-for format in svg dot json txt; do
+for format in svg dot json txt html; do
     "$nephrite" plan "$graph" -o "out/plan.$format"
 done
 
 echo "demo: wrote"
-ls -l out/consistent.exr out/consistent.png out/timings.json out/plan.svg out/plan.dot out/plan.json out/plan.txt
+ls -l out/consistent.exr out/consistent.png out/timings.json out/plan.svg out/plan.dot out/plan.json out/plan.txt out/plan.html

@@ -16,6 +16,7 @@ std::atomic<bool>& flag() {
 extern "C" void onInterrupt(int) {
     flag() = true;
     std::signal(SIGINT, SIG_DFL);
+    std::signal(SIGTERM, SIG_DFL);
 }
 
 }  // namespace
@@ -23,6 +24,7 @@ extern "C" void onInterrupt(int) {
 void catchInterrupts() {
     flag() = false;
     std::signal(SIGINT, onInterrupt);
+    std::signal(SIGTERM, onInterrupt);
 }
 
 bool interrupted() {

@@ -1,9 +1,10 @@
-// Ctrl-C as a question a loop can ask.
+// Ctrl-C, and the signal by which batch systems end a job, as a question a loop can ask.
 #pragma once
 
 namespace nephrite::tools {
 
-/// From now on the first Ctrl-C only makes interrupted() true; a second one ends the program at once.
+/// From now on the first Ctrl-C or SIGTERM only makes interrupted() true; a second one ends the program at
+/// once.
 void catchInterrupts();
 bool interrupted();
 

@@ -51,7 +51,7 @@ scattering::LayerStack readLayersFile(const std::filesystem::path& file) {
     Diagnostics diagnostics;
     scattering::LayerStack stack;
     json::ObjectReader object(root, "a stack of layers", fileKeys, diagnostics);
-    if (const auto layers = object.required("layers")) readLayers(*layers, stack, diagnostics);
+    if (const auto layers = object.optional("layers")) readLayers(*layers, stack, diagnostics);
     scene::readNumber(object, "g", anisotropyRule, stack.g);
     scene::readNumber(object, "eta", indexRule, stack.eta);
     object.finish();

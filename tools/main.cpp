@@ -80,6 +80,7 @@ int main(int argc, char** argv) {
     nephrite::tools::addPlanVerb(app, action);
     nephrite::tools::addCheckVerb(app, action);
     nephrite::tools::addPassesVerb(app, action);
+    nephrite::tools::addNewPassVerb(app, action);
     nephrite::tools::addSchemaVerb(app, action);
     nephrite::tools::addBenchVerb(app, action);
     nephrite::tools::addProfileVerb(app, action);

@@ -48,6 +48,19 @@ runtime::Validation validationNamed(const std::string& name) {
     return name == "core" ? runtime::Validation::Core : runtime::Validation::Off;
 }
 
+CLI::Validator wholeNumber(std::uint64_t least, std::uint64_t most) {
+    return {[least, most](const std::string& text) {
+                std::uint64_t value = 0;
+                const char* last = text.data() + text.size();
+                const auto [end, failure] = std::from_chars(text.data(), last, value);
+                const bool isOne = failure == std::errc{} && end == last && value >= least && value <= most;
+                return isOne ? std::string()
+                             : fmt::format("expected a whole number from {} to {}, found \"{}\"", least, most,
+                                           text);
+            },
+            "", "whole number"};
+}
+
 std::pair<std::string, std::string> splitAssignment(const std::string& option, const std::string& text) {
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos || equals == 0 || equals + 1 == text.size())

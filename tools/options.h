@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -14,6 +15,10 @@ namespace nephrite::tools {
 
 /// Width and height of "WxH". Throws InputError unless both are whole numbers from 1 to 16384.
 graph::Extent pictureSize(const std::string& text);
+
+/// Refuses a value of an option that is no whole number from `least` to `most`. CLI11's own conversion takes
+/// -1 for 2^64 - 1, and every number that is too large for the same.
+CLI::Validator wholeNumber(std::uint64_t least, std::uint64_t most);
 
 /// What names a graph, a scene and an output size.
 struct GraphArguments {

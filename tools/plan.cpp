@@ -3,11 +3,14 @@
 
 #include <array>
 #include <cstdio>
+#include <optional>
 
 #include "graph/explain.h"
+#include "graph/plan_page.h"
 #include "graph/plan_writer.h"
 #include "image/output_file.h"
 #include "options.h"
+#include "plan_measurement.h"
 #include "runtime/graph_loading.h"
 #include "runtime/imports.h"
 #include "verbs.h"
@@ -22,24 +25,79 @@ struct PlanArguments {
     bool noSkip = false;
     std::string why;
     std::string policy = "barriers";
+    std::string device;
+    bool noMeasure = false;
 };
 
+graph::Policy policyOf(const PlanArguments& arguments) {
+    return arguments.policy == "memory" ? graph::Policy::Memory : graph::Policy::Barriers;
+}
+
+runtime::SessionOptions sessionOptions(const PlanArguments& arguments) {
+    runtime::SessionOptions options;
+    options.graph = arguments.graph.graph;
+    options.scene = arguments.graph.scene;
+    options.size = arguments.graph.extent();
+    options.settings = arguments.graph.settings;
+    options.passPaths = arguments.graph.passPaths;
+    options.dumps = arguments.dumps;
+    options.device = arguments.device;
+    options.skip = !arguments.noSkip;
+    options.policy = policyOf(arguments);
+    return options;
+}
+
+/// Every fault of an error, a line each.
+std::string linesOf(const InputError& error) {
+    std::string lines;
+    for (const Diagnostic& fault : error.faults()) lines += (lines.empty() ? "" : "\n") + toLine(fault);
+    return lines;
+}
+
+/// The page, with times and pictures. Where the graph cannot be rendered it has none, and says why; so does a
+/// warning. If a device was asked for by name that is an error.
+std::string planWithPictures(const PlanArguments& arguments, const graph::Plan& plan) {
+    graph::PlanMeasurements none;
+    none.note = "Nothing was rendered: there are no times and pictures, and no result is kept over frames.";
+    if (arguments.noMeasure) return graph::planAsHtml(plan, none);
+    std::string reason;
+    try {
+        return measuredPage(sessionOptions(arguments));
+    } catch (const InputError& error) {
+        if (!arguments.device.empty()) throw;
+        reason = linesOf(error);
+    } catch (const RunError& error) {
+        if (!arguments.device.empty()) throw;
+        reason = error.what();
+    }
+    fmt::print(stderr, "{}: warning: without times and pictures: {}\n", arguments.output.string(), reason);
+    none.note += "\n" + reason;
+    return graph::planAsHtml(plan, none);
+}
+
+/// How a plan is written under a name that ends so.
 struct PlanFormat {
     std::string_view extension;
-    std::string (*write)(const graph::Plan&);
+    std::string (*write)(const PlanArguments&, const graph::Plan&);
 };
 
-constexpr std::array<PlanFormat, 4> formats{{{".txt", graph::planAsText},
-                                             {".json", graph::planAsJson},
-                                             {".dot", graph::planAsDot},
-                                             {".svg", graph::planAsSvg}}};
+template<std::string (*write)(const graph::Plan&)>
+std::string planAlone(const PlanArguments&, const graph::Plan& plan) {
+    return write(plan);
+}
+
+constexpr std::array<PlanFormat, 5> formats{{{".txt", planAlone<graph::planAsText>},
+                                             {".json", planAlone<graph::planAsJson>},
+                                             {".dot", planAlone<graph::planAsDot>},
+                                             {".svg", planAlone<graph::planAsSvg>},
+                                             {".html", planWithPictures}}};
 
 const PlanFormat& formatOf(const std::filesystem::path& output) {
     if (output.empty()) return formats.front();
     for (const PlanFormat& format : formats)
         if (output.extension() == format.extension) return format;
     throw InputError({output.string()},
-                     fmt::format("expected a name ending in .txt, .json, .dot or .svg, found \"{}\"",
+                     fmt::format("expected a name ending in .txt, .json, .dot, .svg or .html, found \"{}\"",
                                  output.extension().string()));
 }
 
@@ -60,10 +118,14 @@ graph::Plan makePlan(const PlanArguments& arguments, const runtime::DataFolders&
     request.facts = runtime::sceneFacts(scene.facts());
     request.view = arguments.graph.extent();
     request.skip = !arguments.noSkip;
-    request.policy = arguments.policy == "memory" ? graph::Policy::Memory : graph::Policy::Barriers;
+    request.policy = policyOf(arguments);
     for (const std::string& dump : arguments.dumps) request.dumps.push_back(runtime::dumpReference(dump));
     request.imports = runtime::importedImages(loaded.graph->description);
     return compileForBoth(request);
+}
+
+std::string contents(const PlanArguments& arguments, const PlanFormat& format, const graph::Plan& plan) {
+    return arguments.why.empty() ? format.write(arguments, plan) : graph::explain(plan, arguments.why);
 }
 
 void writePlan(const PlanArguments& arguments) {
@@ -72,11 +134,13 @@ void writePlan(const PlanArguments& arguments) {
     const auto loaded = runtime::loadGraph(arguments.graph.graph, arguments.graph.settings, folders,
                                            arguments.graph.passPaths);
     const graph::Plan plan = makePlan(arguments, folders, loaded);
-    const std::string text = arguments.why.empty() ? format.write(plan) : graph::explain(plan, arguments.why);
-    if (arguments.output.empty())
-        fmt::print("{}", text);
-    else
-        image::writeFile(arguments.output, text);
+    if (arguments.output.empty()) {
+        fmt::print("{}", contents(arguments, format, plan));
+        return;
+    }
+    image::OutputFile file(arguments.output);  // tried before anything is rendered
+    file.write(contents(arguments, format, plan));
+    file.commit();
 }
 
 }  // namespace
@@ -97,8 +161,12 @@ void addPlanVerb(CLI::App& app, Action& action) {
     verb->add_option("--policy", arguments->policy,
                      "Order passes for few barriers (default) or for little memory")
         ->check(CLI::IsMember({"barriers", "memory"}));
+    verb->add_flag("--no-measure", arguments->noMeasure,
+                   "F.html without times and pictures: nothing is rendered");
+    verb->add_option("--device", arguments->device,
+                     "Render F.html's pictures on the device whose name contains this");
     verb->add_option("-o,--output", arguments->output,
-                     "F.txt, F.json, F.dot or F.svg (default: text on standard output)");
+                     "F.txt, F.json, F.dot, F.svg or F.html (default: text on standard output)");
     verb->callback([&action, arguments] { action = [arguments] { writePlan(*arguments); }; });
 }
 

@@ -3,11 +3,13 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
+#include <limits>
 #include <thread>
 
 #include "image/output_file.h"
 #include "interrupt.h"
 #include "layers_file.h"
+#include "options.h"
 #include "profile_models.h"
 #include "profile_rules.h"
 #include "progress_bar.h"
@@ -66,7 +68,6 @@ scattering::LayerStack stackOf(const ProfileArguments& arguments) {
 }
 
 Profile simulated(const ProfileArguments& arguments) {
-    if (arguments.photons < 2) throw InputError({"--photons"}, "expected at least 2, for standard errors");
     const scattering::LayerStack stack = stackOf(arguments);
     catchInterrupts();
     ProgressBar bar("photons");
@@ -174,8 +175,13 @@ void addProfileVerb(CLI::App& app, Action& action) {
                      "Of a slab, mm (default: a half space); montecarlo only");
     verb->add_option("--layers", arguments->layers, "File with a stack of layers; montecarlo only");
     verb->add_option("--radii", arguments->radii, "Distances from the point, mm: a,b,c")->delimiter(',');
-    verb->add_option("--photons", arguments->photons, "Photons of montecarlo")->capture_default_str();
-    verb->add_option("--seed", arguments->seed, "Of montecarlo's random numbers")->capture_default_str();
+    // Standard errors need two photons.
+    verb->add_option("--photons", arguments->photons, "Photons of montecarlo")
+        ->check(wholeNumber(2, 10000000000))
+        ->capture_default_str();
+    verb->add_option("--seed", arguments->seed, "Of montecarlo's random numbers")
+        ->check(wholeNumber(0, std::numeric_limits<std::uint64_t>::max()))
+        ->capture_default_str();
     verb->add_option("--json", arguments->json, "Write totals, values and standard errors to this file");
     verb->callback([&action, arguments] { action = [arguments] { printProfile(*arguments); }; });
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <thread>
 
 #include "commit.h"
@@ -112,6 +113,7 @@ void addReferenceVerb(CLI::App& app, Action& action) {
         ->check(CLI::Range(1U, 1U << 24))
         ->capture_default_str();
     verb->add_option("--seed", arguments->seed, "Names the random numbers; another seed is independent")
+        ->check(wholeNumber(0, std::numeric_limits<std::uint64_t>::max()))
         ->capture_default_str();
     verb->add_option("--size", arguments->size, "Picture size in pixels, WIDTHxHEIGHT")
         ->capture_default_str();

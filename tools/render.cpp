@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <optional>
@@ -14,6 +15,7 @@
 #include "image/tone_map.h"
 #include "interrupt.h"
 #include "options.h"
+#include "runtime/reload/live_reload.h"
 #include "runtime/session.h"
 #include "timings_report.h"
 #include "verbs.h"
@@ -37,6 +39,7 @@ struct RenderArguments {
     bool profile = false;
     bool noSkip = false;
     bool auditSkips = false;
+    bool watch = false;
 };
 
 /// A port of the session and the file it goes to.
@@ -107,7 +110,7 @@ runtime::SessionOptions sessionOptions(const RenderArguments& arguments) {
     options.loseDeviceAtSubmit = arguments.loseDevice;
     options.auditSkips = arguments.auditSkips;
     // A profile is of the passes, so all of them run in every frame.
-    options.reuse = (arguments.frames > 1 || arguments.auditSkips) && !arguments.profile;
+    options.reuse = (arguments.frames > 1 || arguments.auditSkips || arguments.watch) && !arguments.profile;
     return options;
 }
 
@@ -199,31 +202,82 @@ void requireOutput(const runtime::Session& session, const RenderArguments& argum
                          "-o writes the output \"color\", which this graph does not have");
 }
 
-void render(const RenderArguments& arguments) {
+void requireFinite(const RenderArguments& arguments) {
     if (!std::isfinite(arguments.time)) throw InputError({"--time"}, "expected a finite number of seconds");
     if (arguments.framesPerSecond <= 0 || !std::isfinite(arguments.framesPerSecond))
         throw InputError({"--fps"}, "expected a number above 0");
+}
+
+void printWarnings(const runtime::Session& session) {
+    for (const Diagnostic& warning : session.diagnostics().warnings())
+        fmt::print(stderr, "{}\n", toLine(warning, "warning"));
+}
+
+/// Renders the frames that were asked for, less the warm-up and those that an interruption leaves out, and
+/// writes what was asked for. The times of the frames.
+std::vector<runtime::FrameTimes> renderFrames(const RenderArguments& arguments,
+                                              const std::vector<Target>& targets, std::uint32_t warmup,
+                                              runtime::Session& session) {
+    std::vector<runtime::FrameTimes> frames;
+    for (std::uint32_t i = 0; i < warmup && !interrupted(); ++i) session.renderFrame(arguments.time);
+    for (std::uint32_t frame = 0; frame < arguments.frames && !interrupted(); ++frame) {
+        frames.push_back(session.renderFrame(arguments.time + frame / arguments.framesPerSecond));
+        for (const Target& target : targets)
+            if (target.file.isNumbered() || frame + 1 == arguments.frames)
+                writeTarget(target, frame, arguments, session);
+    }
+    return frames;
+}
+
+/// What a user of --watch sees of it, beside the picture.
+void printFrames(const std::vector<runtime::FrameTimes>& frames) {
+    if (frames.empty()) return;
+    double sum = 0;
+    for (const runtime::FrameTimes& frame : frames) sum += frame.wallMs;
+    fmt::print(stderr, "rendered {} frame{} in {:.0f} ms, the first in {:.0f} ms\n", frames.size(),
+               frames.size() == 1 ? "" : "s", sum, frames.front().wallMs);
+}
+
+/// Renders anew whenever a file is saved, until it is interrupted.
+void keepRendering(const RenderArguments& arguments, const std::vector<Target>& targets,
+                   runtime::Session& session) {
+    constexpr std::chrono::milliseconds untilNextLook{100};  // at whether it was interrupted
+    runtime::LiveReload reload(session);
+    while (!interrupted()) {
+        if (!reload.wait(untilNextLook)) continue;
+        const std::optional<runtime::Reload> saved = reload.poll();
+        if (!saved) continue;
+        for (const std::string& line : toLines(*saved)) fmt::print(stderr, "{}\n", line);
+        if (!saved->shown) continue;
+        printWarnings(session);
+        try {
+            requireOutput(session, arguments);
+            printFrames(renderFrames(arguments, targets, 0, session));
+        } catch (const InputError& error) {
+            for (const Diagnostic& fault : error.faults()) fmt::print(stderr, "{}\n", toLine(fault));
+        }
+    }
+}
+
+void render(const RenderArguments& arguments) {
+    requireFinite(arguments);
     const std::vector<Target> targets = targetsOf(arguments);
     if (!arguments.timings.empty()) requireTimingsName(arguments.timings);
     runtime::Session session(sessionOptions(arguments));
-    for (const Diagnostic& warning : session.diagnostics().warnings())
-        fmt::print(stderr, "{}\n", toLine(warning, "warning"));
+    printWarnings(session);
     requireOutput(session, arguments);
     tryOutputs(targets, arguments.timings);
 
     TimingsReport report = emptyReport(arguments, session);
     report.warmup = arguments.warmup.value_or(arguments.timings.empty() ? 0 : 3);
     catchInterrupts();
-    for (std::uint32_t i = 0; i < report.warmup && !interrupted(); ++i) session.renderFrame(arguments.time);
-    for (std::uint32_t frame = 0; frame < arguments.frames; ++frame) {
-        if (interrupted())
-            throw RunError(fmt::format("interrupted after {} of {} frames", frame, arguments.frames));
-        report.frames.push_back(session.renderFrame(arguments.time + frame / arguments.framesPerSecond));
-        for (const Target& target : targets)
-            if (target.file.isNumbered() || frame + 1 == arguments.frames)
-                writeTarget(target, frame, arguments, session);
-    }
-    if (!arguments.timings.empty()) writeTimings(arguments.timings, report);
+    report.frames = renderFrames(arguments, targets, report.warmup, session);
+    const bool complete = report.frames.size() == arguments.frames;
+    if (!complete && !arguments.watch)
+        throw RunError(
+            fmt::format("interrupted after {} of {} frames", report.frames.size(), arguments.frames));
+    if (!arguments.timings.empty() && complete) writeTimings(arguments.timings, report);
+    if (arguments.watch) keepRendering(arguments, targets, session);
 }
 
 }  // namespace
@@ -255,6 +309,9 @@ void addRenderVerb(CLI::App& app, Action& action) {
                    "Run every needed pass, also those the scene does not need");
     verb->add_flag("--audit-skips", arguments->auditSkips,
                    "Render each frame with and without skipping and fail if a picture differs");
+    verb->add_flag("--watch", arguments->watch,
+                   "Go on: render and write again whenever a shader, manifest, graph, scene, mesh or texture "
+                   "is saved, until interrupted");
     // For the program's own tests: not in the help.
     verb->add_option("--lose-device", arguments->loseDevice, "Lose the device after N submissions")
         ->group("");

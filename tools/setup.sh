@@ -11,11 +11,26 @@ fi
 
 mapfile -t wanted < <(sed 's/#.*//' packages.txt | awk 'NF { print $1 }')
 
-missing=()
-for package in "${wanted[@]}"; do
-    status=$(dpkg-query -W -f '${db:Status-Status} ' "$package" 2>/dev/null || true)
-    [[ " $status" == *" installed "* ]] || missing+=("$package")
-done
+is_installed() {
+    local status
+    status=$(dpkg-query -W -f '${db:Status-Status} ' "$1" 2>/dev/null || true)
+    [[ " $status" == *" installed "* ]]
+}
+# True as well while there are no package lists that could tell.
+may_be_offered() { ! compgen -G "/var/lib/apt/lists/*_Packages*" >/dev/null || apt-cache show "$1" >/dev/null 2>&1; }
+
+# What is not there and can be had.
+find_missing() {
+    local entry package
+    missing=()
+    for entry in "${wanted[@]}"; do
+        package=${entry%\?}
+        is_installed "$package" && continue
+        [[ $entry == *\? ]] && ! may_be_offered "$package" && continue
+        missing+=("$package")
+    done
+}
+find_missing
 [[ ${#missing[@]} -eq 0 ]] && exit 0
 
 as_root=()
@@ -33,4 +48,5 @@ apt_get() {
 
 echo "setup: installing ${missing[*]}"
 apt_get update || echo "setup: the package lists could not all be refreshed; going on with those there are" >&2
+find_missing
 apt_get install -y --no-install-recommends "${missing[@]}"

@@ -21,5 +21,6 @@ void addProfileVerb(CLI::App& app, Action& action);
 void addReferenceVerb(CLI::App& app, Action& action);
 void addMergeVerb(CLI::App& app, Action& action);
 void addCompareVerb(CLI::App& app, Action& action);
+void addNewPassVerb(CLI::App& app, Action& action);
 
 }  // namespace nephrite::tools

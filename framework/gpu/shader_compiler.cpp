@@ -148,9 +148,25 @@ ShaderCompiler::~ShaderCompiler() {
 }
 
 CompiledShader ShaderCompiler::compile(const ShaderSource& source) const {
-    const SourceFiles files(source);
+    FileTexts files;
+    return compile(source, files);
+}
+
+void ShaderCompiler::warmUp() const {
+    for (const ShaderStage stage : {ShaderStage::Vertex, ShaderStage::Fragment, ShaderStage::Compute}) {
+        ShaderSource source;
+        source.stage = stage;
+        source.chunks = {{"warm-up", "#version 460\nvoid main() {}\n"}};
+        FileTexts files;
+        translate(SourceFiles(source, files), source);
+    }
+}
+
+CompiledShader ShaderCompiler::compile(const ShaderSource& source, FileTexts& texts) const {
+    const SourceFiles files(source, texts);
     CompiledShader shader;
     shader.includes = files.includedPaths();
+    shader.lookedFor = files.lookedFor();
     const std::string key = optionsKey(source.stage) + files.content();
     if (auto cached = asSpirv(cache_.read(cacheKind, key))) {
         shader.spirv = std::move(*cached);

@@ -13,6 +13,7 @@
 
 #include "gpu/disk_cache.h"
 #include "text/diagnostics.h"
+#include "text/file_texts.h"
 
 namespace nephrite::gpu {
 
@@ -40,6 +41,9 @@ struct CompiledShader {
     std::vector<std::uint32_t> spirv;
     /// Every file reached through #include, also those an #if leaves out, each once, in the order met.
     std::vector<std::filesystem::path> includes;
+    /// The same and, besides, where an #include was looked for in vain: what a change of the shader may come
+    /// from.
+    std::vector<std::filesystem::path> lookedFor;
     bool fromCache = false;
 };
 
@@ -56,6 +60,12 @@ class ShaderCompiler {
     /// shows it), also in an included file; or with the faults of the shader as a whole, such as a missing
     /// main.
     CompiledShader compile(const ShaderSource& source) const;
+    /// The same with included files read through `files`.
+    CompiledShader compile(const ShaderSource& source, FileTexts& files) const;
+
+    /// Compiles a little of each stage: glslang's first shader of a stage takes a hundred milliseconds, which
+    /// whoever waits for the first one that is edited need not see.
+    void warmUp() const;
 
   private:
     DiskCache cache_;

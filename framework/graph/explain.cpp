@@ -53,9 +53,7 @@ class Explanation {
   private:
     void line(const std::string& words) { text_ += words + "\n"; }
     std::string nameOf(Index resource) const { return plan_.nameOf(plan_.resources[resource]); }
-    std::string passInWords(Index pass) const {
-        return fmt::format("pass {} \"{}\"", pass, plan_.nameOf(plan_.passes[pass]));
-    }
+    std::string passInWords(Index pass) const { return graph::passInWords(plan_, pass); }
 
     std::string whyItStandsThere(const PlannedPass& pass) const {
         const auto index = static_cast<Index>(&pass - plan_.passes.data());
@@ -93,33 +91,10 @@ class Explanation {
     }
 
     void explainBarrier(const Barrier& barrier) {
-        line(fmt::format("  barrier on {}{}: {}; {}", nameOf(barrier.resource), rangeInWords(barrier),
-                         transitionInWords(plan_, barrier), protectionInWords(barrier)));
-    }
-
-    std::string rangeInWords(const Barrier& barrier) const {
-        if (barrier.range == plan_.resources[barrier.resource].whole()) return "";
-        const Subresources& range = barrier.range;
-        return fmt::format(" (levels {} to {}, layers {} to {})", range.baseMip,
-                           range.baseMip + range.mips - 1, range.baseLayer,
-                           range.baseLayer + range.layers - 1);
-    }
-
-    std::string protectionInWords(const Barrier& barrier) const {
-        const std::string after =
-            barrier.passAfter < plan_.passes.size()
-                ? passInWords(barrier.passAfter)
-                : std::string(barrier.usesAfter == 0 ? "the next frame" : "the copy out");
-        if (barrier.passBefore == noIndex) {
-            return barrier.oldLayout == Layout::Undefined
-                       ? fmt::format("{} does not need what was there", after)
-                       : fmt::format("as {} needs it", after);
-        }
-        const std::string before = passInWords(barrier.passBefore);
-        if (barrier.aliases)
-            return fmt::format("{} must be done with the memory they share before {} writes", before, after);
-        if (barrier.writeBefore) return fmt::format("what {} wrote becomes visible to {}", before, after);
-        return fmt::format("{} must have read it before {} changes it", before, after);
+        const std::string part = partInWords(plan_, barrier);
+        line(fmt::format("  barrier on {}{}: {}; {}", nameOf(barrier.resource),
+                         part.empty() ? "" : fmt::format(" ({})", part), transitionInWords(plan_, barrier),
+                         protectionInWords(plan_, barrier)));
     }
 
     void explainMemory(Index resource) {

@@ -158,6 +158,13 @@ void applySetting(GraphDescription& description, const std::string& setting);
 /// parameter.
 ParameterValues applySetting(const LinkedGraph& graph, ParameterValues current, const std::string& setting);
 
+/// `NODE.PARAM` or `PARAM` of a setting, which ends at the "=".
+std::string_view targetOf(std::string_view setting);
+/// The value that a setting of `target` replaces; null if the graph has nothing of that name. Of a node's
+/// parameter that is linked to a graph parameter, that one's.
+const ParameterValue* findValue(const LinkedGraph& graph, const ParameterValues& values,
+                                std::string_view target);
+
 /// Whether a plan or a pipeline made with the values `before` may be wrong with `after`: a parameter changed
 /// that is a specialization constant, or is named in a condition, size or count of a node that has it. Linear
 /// in the graph.

@@ -34,6 +34,17 @@ bool isCleared(const Plan& plan, const PlannedPass& pass, Index port) {
     return pass.tileList != noIndex || plan.graph->nodes[pass.node].role == NodeRole::TileList;
 }
 
+bool keepsResults(const Plan& plan, const PlannedPass& pass) {
+    bool keepsAny = false;
+    for (const Index output : slice(plan.outputs, pass.outputs)) {
+        const Resource& resource = plan.resources[output];
+        const bool isRead = resource.requested || resource.first != resource.last;
+        if (isRead && resource.kind != ResourceKind::Kept) return false;
+        keepsAny = keepsAny || resource.kind == ResourceKind::Kept;
+    }
+    return keepsAny;
+}
+
 std::string_view name(Policy policy) {
     return policy == Policy::Barriers ? "barriers" : "memory";
 }

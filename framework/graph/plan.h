@@ -228,6 +228,10 @@ std::array<double, 4> neutralOf(const Plan& plan, const PlannedPass& pass, Index
 /// True if the pass clears the output to its neutral value: instead of running, or before (clearsFirst).
 bool isCleared(const Plan& plan, const PlannedPass& pass, Index port);
 
+/// True if what the pass writes, as far as anybody reads it, outlasts the frame: the pass need not run while
+/// nothing it reads changes.
+bool keepsResults(const Plan& plan, const PlannedPass& pass);
+
 /// The barriers of a frame in which only some passes run (by index into Plan::passes, 1: runs; empty: all).
 /// What a pass that does not run would write must be Kept, and holds its contents since an earlier frame.
 BarrierSchedule scheduleBarriers(const Plan& plan, std::span<const std::uint8_t> runs);

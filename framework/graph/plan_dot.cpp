@@ -46,16 +46,13 @@ void writeNode(const Plan& plan, Index node, Index pass, Output out) {
 
 /// "position rgba32f 512 x 512"; the size only where the image exists.
 std::string edgeLabel(const Plan& plan, const LinkedInput& source, Index resource) {
-    const PassType& type = *plan.graph->nodes[source.sourceNode].type;
-    const OutputPort& port = type.outputs[source.sourcePort];
+    const std::string port =
+        escaped(plan.graph->nodes[source.sourceNode].type->outputs[source.sourcePort].name);
     if (resource != noIndex) {
         const Resource& read = plan.resources[resource];
-        return fmt::format("{}\\n{} {}", escaped(port.name), formatName(plan, read), sizeInWords(read));
+        return fmt::format("{}\\n{} {}", port, formatName(plan, read), sizeInWords(read));
     }
-    const Format format =
-        plan.graph->formats[plan.graph->nodes[source.sourceNode].formats.first + source.sourcePort];
-    return fmt::format("{}\\n{}", escaped(port.name),
-                       port.bufferElement.empty() ? info(format).name : std::string_view(port.bufferElement));
+    return fmt::format("{}\\n{}", port, declaredFormat(*plan.graph, source.sourceNode, source.sourcePort));
 }
 
 void writeEdges(const Plan& plan, Index node, Index pass, Output out) {

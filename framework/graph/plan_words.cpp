@@ -6,21 +6,6 @@
 #include <array>
 
 namespace nephrite::graph {
-namespace {
-
-std::string usesInWords(std::uint32_t uses) {
-    std::string words;
-    for (Use use = Use::ComputeRead; use <= Use::ComputeLevelRead;
-         use = static_cast<Use>(static_cast<int>(use) + 1)) {
-        if ((uses & bit(use)) == 0) continue;
-        if (!words.empty()) words += " and ";
-        words += name(use);
-    }
-    return words;
-}
-
-}  // namespace
-
 std::vector<Index> nodesInReportOrder(const Plan& plan) {
     std::vector<Index> order;
     order.reserve(plan.nodes.size());
@@ -45,6 +30,12 @@ std::vector<Index> passOfNode(const Plan& plan) {
 std::string formatName(const Plan& plan, const Resource& resource) {
     if (!resource.isBuffer) return std::string(info(resource.format).name);
     return plan.graph->nodes[resource.node].type->outputs[resource.port].bufferElement;
+}
+
+std::string declaredFormat(const LinkedGraph& graph, Index node, Index port) {
+    const LinkedNode& linked = graph.nodes[node];
+    const std::string& element = linked.type->outputs[port].bufferElement;
+    return element.empty() ? std::string(info(graph.formats[linked.formats.first + port]).name) : element;
 }
 
 std::string sizeInWords(const Resource& resource) {
@@ -82,6 +73,43 @@ std::string transitionInWords(const Plan& plan, const Barrier& barrier) {
     if (plan.resources[barrier.resource].isBuffer) return "";
     if (barrier.oldLayout == barrier.newLayout) return fmt::format("stays {}", name(barrier.newLayout));
     return fmt::format("{} -> {}", name(barrier.oldLayout), name(barrier.newLayout));
+}
+
+std::string usesInWords(std::uint32_t uses) {
+    std::string words;
+    for (Use use = Use::ComputeRead; use <= Use::ComputeLevelRead;
+         use = static_cast<Use>(static_cast<int>(use) + 1)) {
+        if ((uses & bit(use)) == 0) continue;
+        if (!words.empty()) words += " and ";
+        words += name(use);
+    }
+    return words;
+}
+
+std::string passInWords(const Plan& plan, Index pass) {
+    return fmt::format("pass {} \"{}\"", pass, plan.nameOf(plan.passes[pass]));
+}
+
+std::string protectionInWords(const Plan& plan, const Barrier& barrier) {
+    const std::string after = barrier.passAfter < plan.passes.size()
+                                  ? passInWords(plan, barrier.passAfter)
+                                  : std::string(barrier.usesAfter == 0 ? "the next frame" : "the copy out");
+    if (barrier.passBefore == noIndex) {
+        return barrier.oldLayout == Layout::Undefined ? fmt::format("{} does not need what was there", after)
+                                                      : fmt::format("as {} needs it", after);
+    }
+    const std::string before = passInWords(plan, barrier.passBefore);
+    if (barrier.aliases)
+        return fmt::format("{} must be done with the memory they share before {} writes", before, after);
+    if (barrier.writeBefore) return fmt::format("what {} wrote becomes visible to {}", before, after);
+    return fmt::format("{} must have read it before {} changes it", before, after);
+}
+
+std::string partInWords(const Plan& plan, const Barrier& barrier) {
+    if (barrier.range == plan.resources[barrier.resource].whole()) return "";
+    const Subresources& range = barrier.range;
+    return fmt::format("levels {} to {}, layers {} to {}", range.baseMip, range.baseMip + range.mips - 1,
+                       range.baseLayer, range.baseLayer + range.layers - 1);
 }
 
 std::string dependencyInWords(const Barrier& barrier) {

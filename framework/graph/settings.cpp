@@ -153,4 +153,25 @@ ParameterValues applySetting(const LinkedGraph& graph, ParameterValues current, 
     return current;
 }
 
+std::string_view targetOf(std::string_view setting) {
+    return setting.substr(0, setting.find('='));
+}
+
+const ParameterValue* findValue(const LinkedGraph& graph, const ParameterValues& values,
+                                std::string_view target) {
+    const std::size_t dot = target.find('.');
+    if (dot == std::string_view::npos) {
+        const GraphParameter* parameter = findNamed(graph.description.parameters, target);
+        if (parameter == nullptr) return nullptr;
+        return &values.graph[static_cast<std::size_t>(parameter - graph.description.parameters.data())];
+    }
+    const NodeDescription* node = findNamed(graph.description.nodes, target.substr(0, dot));
+    if (node == nullptr) return nullptr;
+    const auto index = static_cast<Index>(node - graph.description.nodes.data());
+    const auto& declarations = graph.nodes[index].type->parameters;
+    const ParameterDeclaration* declaration = findNamed(declarations, target.substr(dot + 1));
+    if (declaration == nullptr) return nullptr;
+    return &graph.valueOf(index, static_cast<Index>(declaration - declarations.data()), values);
+}
+
 }  // namespace nephrite::graph

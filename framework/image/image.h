@@ -16,6 +16,7 @@ struct Image {
     float at(std::uint32_t x, std::uint32_t y, std::uint32_t channel) const {
         return pixels[(std::size_t{y} * width + x) * channels.size() + channel];
     }
+    friend bool operator==(const Image&, const Image&) = default;
 };
 
 }  // namespace nephrite::image

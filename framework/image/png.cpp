@@ -41,7 +41,10 @@ class PngControl {
     png_image control_{};
 };
 
-std::vector<std::byte> encode(const std::filesystem::path& path, const ByteImage& image) {
+}  // namespace
+
+std::vector<std::byte> encodePng(const ByteImage& image) {
+    requireConsistent(image);
     PngControl control(image);
     // A bound for data that deflate cannot compress, so that one pass is enough.
     png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(*control.get());
@@ -49,18 +52,14 @@ std::vector<std::byte> encode(const std::filesystem::path& path, const ByteImage
     const int convertTo8Bit = 0;
     if (png_image_write_to_memory(control.get(), bytes.data(), &size, convertTo8Bit, image.pixels.data(), 0,
                                   nullptr) == 0) {
-        throw RunError(
-            toLine({{path.string()}, fmt::format("cannot be encoded as PNG: {}", control.message())}));
+        throw RunError(fmt::format("a picture cannot be encoded as PNG: {}", control.message()));
     }
     bytes.resize(size);
     return bytes;
 }
 
-}  // namespace
-
 void writePng(const std::filesystem::path& path, const ByteImage& image) {
-    requireConsistent(image);
-    writeFile(path, encode(path, image));
+    writeFile(path, encodePng(image));
 }
 
 }  // namespace nephrite::image

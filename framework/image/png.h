@@ -1,6 +1,7 @@
 // PNG files: 8-bit sRGB pictures for looking at.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <vector>
@@ -15,6 +16,10 @@ struct ByteImage {
     std::uint32_t channels = 3;        ///< 3 or 4
     std::vector<std::uint8_t> pixels;  ///< width * height * channels values
 };
+
+/// A PNG file's bytes, marked as sRGB. Throws RunError, and std::invalid_argument if the image contradicts
+/// itself.
+std::vector<std::byte> encodePng(const ByteImage& image);
 
 /// Writes a PNG file marked as sRGB, whole or not at all (see OutputFile). Throws RunError `FILE: error:
 /// ...`; std::invalid_argument if the image contradicts itself.

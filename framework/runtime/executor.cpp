@@ -5,6 +5,7 @@
 
 #include "gpu/barriers.h"
 #include "runtime/scene_parts.h"
+#include "runtime/takeover.h"
 
 namespace nephrite::runtime {
 namespace {
@@ -13,16 +14,24 @@ double milliseconds(std::chrono::steady_clock::duration duration) {
     return std::chrono::duration<double, std::milli>(duration).count();
 }
 
+/// A pass knows its light by number alone, which no counter of the scene's parts speaks of.
+bool sameLightViews(const scene::GpuScene& a, const scene::GpuScene& b) {
+    if (a.lightViewCount() != b.lightViewCount()) return false;
+    for (std::uint32_t view = 0; view < a.lightViewCount(); ++view)
+        if (a.lightOfView(view) != b.lightOfView(view)) return false;
+    return true;
+}
+
 }  // namespace
 
 Executor::Executor(ProgramCache& programs, graph::Plan plan, const graph::ParameterValues& values,
-                   scene::GpuScene& scene, const ImportedImages& imports, HistoryStore& history,
+                   scene::GpuScene& scene, const ImportedImages& imports, LastingImages& lasting,
                    const ExecutorOptions& options)
     : programs_(programs),
       plan_(std::move(plan)),
       scene_(scene),
       options_(options),
-      resources_(programs.context().device, plan_, imports, history),
+      resources_(programs.context().device, plan_, imports, lasting),
       descriptors_(programs.context().device),
       bindings_(plan_.passes.size()),
       recorder_(plan_, resources_, scene_, bindings_),
@@ -57,6 +66,16 @@ void Executor::makePrograms(const graph::ParameterValues& values) {
             std::make_unique<PassBindings>(*bindingContext_, i, std::move(interfaces[i]), std::move(program));
     }
     programs_.trim();
+}
+
+void Executor::takeOver(const Executor& before) {
+    if (!sameLightViews(scene_, before.scene_)) return;
+    const std::vector<graph::Index> matches =
+        samePasses({plan_, resources_, bindings_}, {before.plan_, before.resources_, before.bindings_});
+    for (std::size_t pass = 0; pass < matches.size(); ++pass)
+        if (matches[pass] != graph::noIndex)
+            parameterVersions_[pass] = before.parameterVersions_[matches[pass]];
+    decisions_.takeOver(before.decisions_, matches);
 }
 
 bool Executor::setParameters(const graph::ParameterValues& values) {

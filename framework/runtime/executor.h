@@ -25,9 +25,14 @@ class Executor {
     /// Allocates the plan's resources and builds its programs. The references must outlive it. Throws
     /// InputError (a shader's faults) or RunError.
     Executor(ProgramCache& programs, graph::Plan plan, const graph::ParameterValues& values,
-             scene::GpuScene& scene, const ImportedImages& imports, HistoryStore& history,
+             scene::GpuScene& scene, const ImportedImages& imports, LastingImages& lasting,
              const ExecutorOptions& options);
     ~Executor();
+
+    /// Goes on with the results that `before` kept, as far as its passes are these. Both share `lasting`, and
+    /// this one's scene is that one's or came in its place. To be called before the first frame, when none is
+    /// under way.
+    void takeOver(const Executor& before);
 
     /// Renders one frame at `time` seconds and waits for it. Throws RunError if the device is lost.
     FrameTimes renderFrame(double time);

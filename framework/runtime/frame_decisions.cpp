@@ -49,6 +49,18 @@ void FrameDecisions::findSources() {
     }
 }
 
+void FrameDecisions::takeOver(const FrameDecisions& before, std::span<const Index> matches) {
+    for (Index pass = 0; pass < matches.size(); ++pass) {
+        const Index earlier = matches[pass];
+        if (earlier == graph::noIndex) continue;
+        hasRun_[pass] = before.hasRun_[earlier];
+        seen_[pass] = before.seen_[earlier];
+        contents_[pass] = before.contents_[earlier];
+        for (Index i = 0; i < ranges_[pass].count; ++i)
+            seenContents_[ranges_[pass].first + i] = before.seenContents_[before.ranges_[earlier].first + i];
+    }
+}
+
 std::span<const std::uint8_t> FrameDecisions::decide(std::span<const std::uint64_t> versions) {
     findChanges(versions);
     findRuns();

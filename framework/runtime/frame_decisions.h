@@ -15,6 +15,10 @@ class FrameDecisions {
     /// The plan must outlive it. Nothing has run yet.
     explicit FrameDecisions(const graph::Plan& plan);
 
+    /// Goes on where the decisions of another plan stand. `matches`: by pass, the pass of that plan that does
+    /// just the same (samePasses); noIndex: none.
+    void takeOver(const FrameDecisions& before, std::span<const graph::Index> matches);
+
     /// Decides for the frame at hand. `versions`: by pass, a number that changes whenever something it reads
     /// besides images and buffers does, that is the scene and its parameters. The result is by pass, 1: runs,
     /// and stays until the next call. What it says is taken as done.

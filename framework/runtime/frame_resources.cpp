@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <map>
 
-#include "gpu/barriers.h"
-#include "gpu/commands.h"
 #include "runtime/resource_descriptions.h"
 #include "runtime/vulkan_names.h"
 
@@ -16,16 +14,16 @@ using graph::Resource;
 using graph::ResourceKind;
 
 FrameResources::FrameResources(const gpu::Device& device, const graph::Plan& plan,
-                               const ImportedImages& imports, HistoryStore& history)
+                               const ImportedImages& imports, LastingImages& lasting)
     : plan_(plan),
       inHeap_(plan.resources.size(), 0),
       places_(plan.resources.size()),
       images_(plan.resources.size()),
       buffers_(plan.resources.size()) {
-    findRings(device, history);
+    findRings(device, lasting.history);
+    findKept(device, lasting.kept);
     makeHeap(device);
     for (Index i = 0; i < plan.resources.size(); ++i) make(device, i, imports);
-    settleLayouts(device);
 }
 
 /// The resources of one port in different frames share a ring, which is as long as the oldest needs.
@@ -47,7 +45,17 @@ void FrameResources::findRings(const gpu::Device& device, HistoryStore& history)
     for (const auto& [name, port] : ports) {
         for (const Index resource : port.resources)
             places_[resource].ring = static_cast<Index>(rings_.size());
-        rings_.push_back(history.ring(device, plan_, port.resources.front(), port.length, port.uses));
+        rings_.push_back(history.ring(device, plan_, port.resources.front(), port.length, port.uses).ring);
+    }
+}
+
+void FrameResources::findKept(const gpu::Device& device, HistoryStore& kept) {
+    for (Index i = 0; i < plan_.resources.size(); ++i) {
+        if (plan_.resources[i].kind != ResourceKind::Kept) continue;
+        FoundRing found = kept.ring(device, plan_, i, 1, plan_.resources[i].uses);
+        places_[i].ring = static_cast<Index>(rings_.size());
+        places_[i].inherited = found.inherited;
+        rings_.push_back(std::move(found.ring));
     }
 }
 
@@ -77,7 +85,7 @@ void FrameResources::make(const gpu::Device& device, Index index, const Imported
     const Resource& resource = plan_.resources[index];
     if (places_[index].ring != graph::noIndex) return;
     if (resource.kind == ResourceKind::Imported) {
-        places_[index].imported = &imports.at(plan_.graph->nodes[resource.node].import);
+        places_[index].imported = imports.at(plan_.graph->nodes[resource.node].import).get();
         return;
     }
     const std::string name = plan_.nameOf(resource);
@@ -90,19 +98,6 @@ void FrameResources::make(const gpu::Device& device, Index index, const Imported
     const gpu::ImageDescription description = imageDescription(resource, plan_.inputReads, name);
     images_[index] = inHeap_[index] != 0 ? gpu::Image(device, description, heap_, resource.offset)
                                          : gpu::Image(device, description);
-}
-
-/// Kept images start every frame, also the first, in the layout that the plan says.
-void FrameResources::settleLayouts(const gpu::Device& device) {
-    gpu::BarrierBatch batch;
-    for (Index i = 0; i < plan_.resources.size(); ++i) {
-        const Resource& resource = plan_.resources[i];
-        if (!images_[i] || resource.initial == graph::Layout::Undefined) continue;
-        batch.image(images_[i], {}, {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_READ_BIT},
-                    VK_IMAGE_LAYOUT_UNDEFINED, vulkanLayout(resource.initial));
-    }
-    if (batch.empty()) return;
-    gpu::runCommands(device, [&](VkCommandBuffer commands) { batch.record(commands); });
 }
 
 const gpu::Image& FrameResources::image(Index resource) const {

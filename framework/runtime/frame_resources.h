@@ -12,7 +12,7 @@
 namespace nephrite::runtime {
 
 /// Images from outside, as graph.description.imports.
-using ImportedImages = std::vector<gpu::Image>;
+using ImportedImages = std::vector<std::shared_ptr<const gpu::Image>>;
 
 /// One image or buffer for each resource of a plan, by its index. Transient ones share one allocation, at the
 /// plan's offsets; what outlasts the frame has memory of its own.
@@ -21,7 +21,7 @@ class FrameResources {
     /// Everything must outlive it. Throws RunError if the device cannot make one of them or has no memory
     /// left.
     FrameResources(const gpu::Device& device, const graph::Plan& plan, const ImportedImages& imports,
-                   HistoryStore& history);
+                   LastingImages& lasting);
     FrameResources(const FrameResources&) = delete;
     FrameResources& operator=(const FrameResources&) = delete;
 
@@ -34,22 +34,26 @@ class FrameResources {
 
     /// What was this frame's is from now on the last frame's.
     void nextFrame();
-    bool isHistory(graph::Index resource) const { return places_[resource].ring != graph::noIndex; }
-    bool hasHistory() const { return !rings_.empty(); }
-
-    std::uint64_t heapBytes() const { return heap_.size(); }
+    bool isHistory(graph::Index resource) const {
+        return plan_.resources[resource].kind == graph::ResourceKind::History;
+    }
+    /// Whether a kept resource holds what the plan before left in it.
+    bool isInherited(graph::Index resource) const { return places_[resource].inherited; }
+    /// The image an import shows; null for any other resource.
+    const gpu::Image* imported(graph::Index resource) const { return places_[resource].imported; }
 
   private:
     /// Where a resource is: in a ring, imported, or its own entry in images_ or buffers_.
     struct Place {
         graph::Index ring = graph::noIndex;
         const gpu::Image* imported = nullptr;
+        bool inherited = false;
     };
 
     void findRings(const gpu::Device& device, HistoryStore& history);
+    void findKept(const gpu::Device& device, HistoryStore& kept);
     void makeHeap(const gpu::Device& device);
     void make(const gpu::Device& device, graph::Index resource, const ImportedImages& imports);
-    void settleLayouts(const gpu::Device& device);
 
     const graph::Plan& plan_;
     gpu::Memory heap_;

@@ -18,9 +18,9 @@ class Device;
 
 namespace nephrite::runtime {
 
-/// A graph with the pass types it points into.
+/// A graph with the pass types it points into. Copies share both.
 struct LoadedGraph {
-    std::unique_ptr<graph::PassLibrary> passTypes;
+    std::shared_ptr<const graph::PassLibrary> passTypes;
     std::shared_ptr<const graph::LinkedGraph> graph;
 };
 

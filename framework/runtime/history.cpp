@@ -107,9 +107,8 @@ std::shared_ptr<HistoryRing> makeRing(const gpu::Device& device, const graph::Pl
 
 }  // namespace
 
-std::shared_ptr<HistoryRing> HistoryStore::ring(const gpu::Device& device, const graph::Plan& plan,
-                                                graph::Index index, std::uint32_t length,
-                                                std::uint32_t uses) {
+FoundRing HistoryStore::ring(const gpu::Device& device, const graph::Plan& plan, graph::Index index,
+                             std::uint32_t length, std::uint32_t uses) {
     graph::Resource resource = plan.resources[index];
     resource.uses = uses | graph::bit(graph::Use::Clear) | graph::bit(graph::Use::Copy);
     const std::string name = plan.graph->portName(resource.node, resource.port);
@@ -123,12 +122,13 @@ std::shared_ptr<HistoryRing> HistoryStore::ring(const gpu::Device& device, const
         return known.ring->length() == length && known.resource.uses == resource.uses &&
                known.resource.initial == resource.initial;
     });
-    if (serving != end) return serving->second.ring;
+    if (serving != end) return {serving->second.ring, true};
     auto ring = makeRing(device, plan, resource, name, length);
-    if (first != end)
+    const bool inherits = first != end;
+    if (inherits)
         copyFrames(device, *first->second.ring, first->second.resource.initial, *ring, resource.initial);
     rings_.emplace(key, Entry{resource, ring});
-    return ring;
+    return {ring, inherits};
 }
 
 void HistoryStore::dropUnused() {

@@ -1,5 +1,5 @@
-// Images and buffers of earlier frames. They outlive plans: a graph that is compiled anew goes on where it
-// was.
+// Images and buffers that outlast the frame: those of earlier frames, and results that are kept. They outlive
+// plans: a graph that is compiled anew goes on where it was.
 #pragma once
 
 #include <map>
@@ -28,6 +28,12 @@ struct HistoryRing {
     void rotate() { current = (current + 1) % length(); }
 };
 
+/// A ring and whether its contents come from the plan before.
+struct FoundRing {
+    std::shared_ptr<HistoryRing> ring;
+    bool inherited = false;
+};
+
 class HistoryStore {
   public:
     /// The ring of the port of plan.resources[resource] (any of its frames), `length` long. The one of the
@@ -35,8 +41,8 @@ class HistoryStore {
     /// a new one in the layout in which frames start: with the frames of the last plan's if only length, uses
     /// or layout were wanting, and all others neutral. What a plan takes does not depend on those before it.
     /// No frame may be under way. Throws RunError if memory runs out.
-    std::shared_ptr<HistoryRing> ring(const gpu::Device& device, const graph::Plan& plan,
-                                      graph::Index resource, std::uint32_t length, std::uint32_t uses);
+    FoundRing ring(const gpu::Device& device, const graph::Plan& plan, graph::Index resource,
+                   std::uint32_t length, std::uint32_t uses);
     /// Lets go of rings that no plan holds.
     void dropUnused();
 
@@ -46,6 +52,17 @@ class HistoryStore {
         std::shared_ptr<HistoryRing> ring;
     };
     std::multimap<std::string, Entry> rings_;  ///< by name and shape
+};
+
+/// What outlasts plans, apart by what it is for: a result that is kept never becomes a frame of history.
+struct LastingImages {
+    HistoryStore history;
+    HistoryStore kept;  ///< rings of length 1
+
+    void dropUnused() {
+        history.dropUnused();
+        kept.dropUnused();
+    }
 };
 
 }  // namespace nephrite::runtime

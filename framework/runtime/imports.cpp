@@ -64,18 +64,12 @@ std::vector<image::Image> readImports(const graph::GraphDescription& description
     return images;
 }
 
-std::vector<gpu::Image> uploadImports(const gpu::Device& device, const graph::GraphDescription& description,
-                                      const std::vector<image::Image>& images, graph::InputReads reads) {
-    std::vector<gpu::Image> result;
-    for (std::size_t i = 0; i < images.size(); ++i) {
-        const graph::GraphImport& import = description.imports[i];
-        result.emplace_back(
-            device,
-            gpu::ImageDescription{vulkanFormat(import.format), images[i].width, images[i].height, 1, 1,
-                                  usageOf(device, import.format), fmt::format("import({})", import.name)});
-        gpu::uploadConverted(device, result.back(), fourChannels(images[i]),
-                             vulkanLayout(layoutOf(graph::Use::ComputeRead, reads, import.format)));
-    }
+gpu::Image uploadImport(const gpu::Device& device, const graph::GraphImport& import,
+                        const image::Image& image, graph::InputReads reads) {
+    gpu::Image result(device, {vulkanFormat(import.format), image.width, image.height, 1, 1,
+                               usageOf(device, import.format), fmt::format("import({})", import.name)});
+    gpu::uploadConverted(device, result, fourChannels(image),
+                         vulkanLayout(layoutOf(graph::Use::ComputeRead, reads, import.format)));
     return result;
 }
 

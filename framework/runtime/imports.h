@@ -13,9 +13,9 @@ namespace nephrite::runtime {
 /// Throws InputError if a file is missing, broken, or an import names none.
 std::vector<image::Image> readImports(const graph::GraphDescription& description);
 
-/// Uploads them, each in its import's format and in the layout that importedImages() says. Throws RunError.
-std::vector<gpu::Image> uploadImports(const gpu::Device& device, const graph::GraphDescription& description,
-                                      const std::vector<image::Image>& images, graph::InputReads reads);
+/// Uploads one, in the import's format and in the layout that importedImages() says. Throws RunError.
+gpu::Image uploadImport(const gpu::Device& device, const graph::GraphImport& import,
+                        const image::Image& image, graph::InputReads reads);
 
 /// The same images as the compiler sees them: each frame finds and leaves them as shaders read them.
 std::vector<graph::ImportedImage> importedImages(const graph::GraphDescription& description,

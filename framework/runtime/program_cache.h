@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "runtime/program.h"
+#include "text/file_texts.h"
 
 namespace nephrite::runtime {
 
@@ -23,8 +24,15 @@ class ProgramCache {
     std::vector<graph::SceneParts> scenePartsOf(const graph::Plan& plan,
                                                 const graph::ParameterValues& values);
 
-    /// From now on shader files are read anew.
-    void startBuild() { stages_.clear(); }
+    /// Reads the shader files anew. Until then everything is made from the texts of the last time, so that a
+    /// file that an editor is at hurts nobody.
+    void readFilesAnew();
+    /// Every file that programs were made from, also those that are not there but would have been taken.
+    std::vector<std::filesystem::path> files() const { return texts_.files(); }
+    /// A copy to build with on another thread, for exchange(). It has built nothing yet.
+    ProgramCache copy() const;
+    /// What is known here and there changes places; pipelines built are counted on.
+    void exchange(ProgramCache& other);
     /// A plan's programs have all been asked for: drops the oldest beyond a fixed number that nobody else
     /// holds.
     void trim();
@@ -33,22 +41,28 @@ class ProgramCache {
     std::size_t size() const { return programs_.size(); }
     /// Pipelines built so far; passes that share one or find theirs here build none.
     std::uint64_t built() const { return built_; }
+    /// Milliseconds that the driver took for them.
+    double buildMs() const { return buildMs_; }
 
   private:
+    template<class Value>
     struct Entry {
-        std::shared_ptr<const Program> program;
+        std::shared_ptr<const Value> value;
         std::uint64_t used = 0;  ///< counts requests
     };
+    template<class Value>
+    using Entries = std::map<std::string, Entry<Value>>;
 
-    const ShaderStages& stagesOf(const graph::Plan& plan, const graph::PlannedPass& pass,
-                                 const NodeInterface& interface);
+    std::shared_ptr<const ShaderStages> stagesOf(const graph::Plan& plan, const graph::PlannedPass& pass,
+                                                 const NodeInterface& interface);
 
     ProgramContext context_;
-    std::map<std::string, ShaderStages>
-        stages_;  ///< of this build, by what is generated and the shader's file
-    std::map<std::string, Entry> programs_;
+    FileTexts texts_;
+    Entries<ShaderStages> stages_;  ///< of these texts, by what is generated and the shader's file
+    Entries<Program> programs_;
     std::uint64_t requests_ = 0;
     std::uint64_t built_ = 0;
+    double buildMs_ = 0;
 };
 
 }  // namespace nephrite::runtime

@@ -3,15 +3,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <chrono>
 #include <optional>
 
 #include "gpu/device.h"
 #include "runtime/audit.h"
+#include "runtime/draft_state.h"
 #include "runtime/executor.h"
-#include "runtime/graph_content.h"
 #include "runtime/plan_equality.h"
 #include "runtime/readback.h"
-#include "runtime/resource_descriptions.h"
 #include "scene/gpu_scene.h"
 
 namespace nephrite::runtime {
@@ -48,96 +49,75 @@ ProgramContext programContext(const gpu::Device& device, const gpu::ShaderCompil
 
 /// In the order of construction; what comes later uses what comes before.
 struct Session::State {
-    explicit State(const SessionOptions& sessionOptions) : State(sessionOptions, DataFolders::find()) {}
-    State(const SessionOptions& sessionOptions, const DataFolders& dataFolders)
-        : State(sessionOptions, dataFolders,
-                GraphContent({sessionOptions.graph, sessionOptions.settings, sessionOptions.dumps,
+    explicit State(const SessionOptions& sessionOptions)
+        : State(sessionOptions, DataFolders::find(), std::chrono::file_clock::now()) {}
+    State(const SessionOptions& sessionOptions, const DataFolders& dataFolders,
+          std::filesystem::file_time_type began)
+        : State(sessionOptions, dataFolders, began,
+                GraphContent({sessionOptions.graph, sessionOptions.settings, sessionOptions.dumps, {}, std::nullopt,
                               sessionOptions.display},
                              dataFolders, sessionOptions.passPaths)) {}
-    State(const SessionOptions& sessionOptions, const DataFolders& dataFolders, GraphContent graphContent)
-        : options(sessionOptions),
+    State(const SessionOptions& sessionOptions, const DataFolders& dataFolders,
+          std::filesystem::file_time_type began, GraphContent graphContent)
+        : readAt(began),
+          options(sessionOptions),
           folders(dataFolders),
-          scene(loadScene(options.scene, options.time, folders)),
+          scene(std::make_shared<const scene::Scene>(loadScene(options.scene, options.time, folders))),
           device(deviceOptions(options)),
           reads(options.inputReads.value_or(inputReadsOn(device))),
           compiler(gpu::DiskCache::standard()),
           pipelineCache(device, gpu::DiskCache::standard()),
           linearSampler(device, {}),
           nearestSampler(device, {VK_FILTER_NEAREST, VK_SAMPLER_MIPMAP_MODE_NEAREST}),
-          gpuScene(device, scene, options.framesInFlight),
+          gpuScene(std::make_unique<scene::GpuScene>(device, *scene, options.framesInFlight)),
           content(std::move(graphContent)),
-          programs(programContext(device, compiler, pipelineCache, gpuScene.descriptorSetLayout(),
+          programs(programContext(device, compiler, pipelineCache, gpuScene->descriptorSetLayout(),
                                   linearSampler, nearestSampler, folders)) {
         content.upload(device, reads);
-        for (const Diagnostic& warning : scene.warnings())
-            diagnostics.warning(warning.where, warning.message);
+        collectWarnings();
         rebuild();
         checkValidation();
     }
 
-    graph::CompileRequest request() const {
-        graph::CompileRequest result = content.request(reads);
-        result.facts = sceneFacts(scene.facts());
-        result.view = options.size;
-        result.skip = options.skip;
-        result.policy = options.policy;
-        result.plain = options.plain;
-        result.memory = memoryNeedsOn(device, reads);
-        result.maxExtent = device.maxImageExtent();
-        result.maxLayers = device.maxImageLayers();
-        return result;
+    void collectWarnings() {
+        diagnostics = {};
+        for (const Diagnostic& warning : scene->warnings())
+            diagnostics.warning(warning.where, warning.message);
     }
 
-    /// The plan to carry out. To keep the right results, what each shader reads of the scene must be known,
-    /// so a first plan tells which shaders there are.
-    graph::Plan makePlan() {
-        graph::CompileRequest asked = request();
-        graph::Plan plan = graph::compile(asked);
-        if (reuses()) {
-            asked.dependsOn = programs.scenePartsOf(plan, *content.values);
-            asked.keep = graph::Keep::AcrossRates;
-            plan = graph::compile(asked);
-        }
-        if (options.omitBarrier) omitBarrier(plan, *options.omitBarrier);
-        return plan;
+    PlanningContext planning() const { return {device, reads, options}; }
+    graph::Plan plan() { return makePlan(planning(), content, scene->facts(), programs); }
+    graph::Plan planWithoutSkipping() const {
+        return makePlanWithoutSkipping(planning(), content, scene->facts());
     }
 
-    /// What an audit compares with.
-    graph::Plan makePlanWithoutSkipping() const {
-        graph::CompileRequest asked = request();
-        asked.skip = false;
-        return graph::compile(asked);
-    }
-
-    bool reuses() const { return options.reuse && options.skip; }
-
-    /// Plans anew, with the graph, the values and the size as they are; if that fails, what is rendered stays
-    /// as it was.
+    /// Plans anew, with the graph, the scene, the values and the size as they are; if that fails, what is
+    /// rendered stays as it was.
     void rebuild() {
         if (executor) executor->waitForFrames();
-        dropUnusedHistory();  // of a plan that failed
-        programs.startBuild();
-        const ExecutorOptions how{options.framesInFlight, options.profile, reuses()};
-        std::unique_ptr<Executor> next = makeExecutor(makePlan(), history, how);
+        dropUnusedImages();  // of a plan that failed
+        const ExecutorOptions how{options.framesInFlight, options.profile, options.reuse && options.skip};
+        std::unique_ptr<Executor> next = makeExecutor(plan(), lasting, how);
         std::unique_ptr<Executor> nextPlain;
         if (options.auditSkips) {
-            nextPlain = makeExecutor(makePlanWithoutSkipping(), plainHistory, {options.framesInFlight});
+            nextPlain = makeExecutor(planWithoutSkipping(), plainLasting, {options.framesInFlight});
         }
+        if (executor) next->takeOver(*executor);
         executor = std::move(next);
         plainExecutor = std::move(nextPlain);
-        dropUnusedHistory();
+        dropUnusedImages();
         ++plans;
     }
 
-    void dropUnusedHistory() {
-        history.dropUnused();
-        plainHistory.dropUnused();
+    void dropUnusedImages() {
+        lasting.dropUnused();
+        plainLasting.dropUnused();
     }
 
-    std::unique_ptr<Executor> makeExecutor(graph::Plan plan, HistoryStore& store,
+    std::unique_ptr<Executor> makeExecutor(graph::Plan plan, LastingImages& images,
                                            const ExecutorOptions& how) {
-        return std::make_unique<Executor>(programs, std::move(plan), *content.values, gpuScene,
-                                          content.imports(), store, how);
+        return std::make_unique<Executor>(programs, std::move(plan), *content.values, *gpuScene,
+                                          content.imports(), images, how);
     }
 
     FrameTimes renderFrame(double time) {
@@ -175,18 +155,13 @@ struct Session::State {
             handOutValues();  // one of two may have taken the new ones
             throw;
         }
+        content.addChange(setting);
     }
 
     /// False if one of those who render has them compiled into shaders.
     bool handOutValues() {
         return executor->setParameters(*content.values) &&
                (!plainExecutor || plainExecutor->setParameters(*content.values));
-    }
-
-    void setGraph(const GraphSource& source) {
-        GraphContent next(source, folders, options.passPaths);
-        next.upload(device, reads);
-        change(content, std::move(next), [&] { rebuild(); });
     }
 
     void resize(graph::Extent size) {
@@ -197,20 +172,72 @@ struct Session::State {
     /// values decide the plan, and it comes out another, or they are compiled into shaders.
     bool servesValues(const graph::ParameterValues& before) {
         if (graph::changesPlan(content.graph(), before, *content.values)) {
-            if (!doTheSame(makePlan(), executor->plan())) return false;
-            if (plainExecutor && !doTheSame(makePlanWithoutSkipping(), plainExecutor->plan())) return false;
+            if (!doTheSame(plan(), executor->plan())) return false;
+            if (plainExecutor && !doTheSame(planWithoutSkipping(), plainExecutor->plan())) return false;
         }
         return handOutValues();
     }
 
-    static void omitBarrier(graph::Plan& plan, std::uint32_t index) {
-        std::vector<graph::Barrier>& barriers = plan.schedule.barriers;
-        if (index >= barriers.size())
-            throw InputError({"--omit-barrier"},
-                             fmt::format("the plan has {} barriers, found {}", barriers.size(), index));
-        barriers[index].usesBefore = 0;
-        barriers[index].usesAfter = 0;
-        barriers[index].writeBefore = false;
+    DraftRequest shown() const { return {content.source(), options.scene, true, true}; }
+
+    std::unique_ptr<Draft::State> draft(DraftRequest request) const {
+        return std::unique_ptr<Draft::State>(new Draft::State{std::move(request),
+                                                              device,
+                                                              reads,
+                                                              options,
+                                                              folders,
+                                                              content,
+                                                              scene,
+                                                              programs.copy(),
+                                                              {},
+                                                              readAt,
+                                                              graphs,
+                                                              content.source().changes});
+    }
+
+    bool adopt(Draft::State& draft) {
+        if (draft.graphsSeen != graphs) return false;
+        executor->waitForFrames();
+        Shown next{draft.content, draft.scene, nullptr,
+                   draft.request.readScene ? draft.request.scene : options.scene};
+        next.content.applyChanges(changesSince(draft.changesSeen));
+        next.content.upload(device, reads, &content);
+        if (next.scene != scene) next.gpuScene = std::make_unique<scene::GpuScene>(*next.scene, *gpuScene);
+        exchange(next, draft.programs);
+        try {
+            rebuild();
+        } catch (...) {
+            exchange(next, draft.programs);
+            throw;
+        }
+        ++graphs;
+        readAt = draft.readAt;
+        collectWarnings();
+        return true;
+    }
+
+    std::vector<std::string> changesSince(const std::vector<std::string>& seen) const {
+        std::vector<std::string> changes = content.source().changes;
+        std::erase_if(changes, [&](const std::string& change) {
+            return std::find(seen.begin(), seen.end(), change) != seen.end();
+        });
+        return changes;
+    }
+
+    /// What a draft brings. What was there before goes only when nobody renders it any more.
+    struct Shown {
+        GraphContent content;
+        std::shared_ptr<const scene::Scene> scene;
+        std::unique_ptr<scene::GpuScene> gpuScene;  ///< null: as it is
+        std::filesystem::path sceneFile;
+    };
+
+    void exchange(Shown& other, ProgramCache& otherPrograms) {
+        std::swap(content, other.content);
+        std::swap(scene, other.scene);
+        if (other.gpuScene) std::swap(gpuScene, other.gpuScene);
+        std::swap(options.scene, other.sceneFile);
+        programs.exchange(otherPrograms);
     }
 
     const graph::RequestedOutput& requested(const std::string& name) const {
@@ -224,24 +251,26 @@ struct Session::State {
             throw RunError(fmt::format("{} validation message{}", count, count == 1 ? "" : "s"));
     }
 
+    std::filesystem::file_time_type readAt;
     SessionOptions options;
     Diagnostics diagnostics;
     DataFolders folders;
-    scene::Scene scene;
+    std::shared_ptr<const scene::Scene> scene;
     gpu::Device device;
     graph::InputReads reads;
     gpu::ShaderCompiler compiler;
     gpu::PipelineCache pipelineCache;
     gpu::Sampler linearSampler;
     gpu::Sampler nearestSampler;
-    scene::GpuScene gpuScene;
+    std::unique_ptr<scene::GpuScene> gpuScene;
     GraphContent content;
     ProgramCache programs;
-    HistoryStore history;
-    HistoryStore plainHistory;
+    LastingImages lasting;
+    LastingImages plainLasting;
     std::unique_ptr<Executor> executor;
     std::unique_ptr<Executor> plainExecutor;  ///< of an audit
     std::uint64_t plans = 0;
+    std::uint64_t graphs = 0;  ///< counts those shown, and scenes
 };
 
 Session::Session(const SessionOptions& options) : state_(std::make_unique<State>(options)) {}
@@ -270,11 +299,39 @@ void Session::resize(graph::Extent size) {
 }
 
 void Session::setGraph(const GraphSource& source) {
-    state_->setGraph(source);
+    Draft next = draft({source, {}, true, false});
+    next.build();
+    adopt(next);
+}
+
+void Session::setScene(const std::filesystem::path& scene) {
+    Draft next = draft({{}, scene, false, true});
+    next.build();
+    adopt(next);
 }
 
 void Session::setCamera(const scene::CameraDescription& camera) {
-    state_->gpuScene.setCamera(camera);
+    state_->gpuScene->setCamera(camera);
+}
+
+Draft Session::draft(DraftRequest request) const {
+    return Draft(state_->draft(std::move(request)));
+}
+
+bool Session::adopt(Draft& draft) {
+    return state_->adopt(*draft.state_);
+}
+
+DraftRequest Session::shown() const {
+    return state_->shown();
+}
+
+std::filesystem::file_time_type Session::readAt() const {
+    return state_->readAt;
+}
+
+std::vector<std::filesystem::path> Session::files() const {
+    return filesOf(state_->content, *state_->scene, state_->programs);
 }
 
 image::Image Session::read(const std::string& name) {
@@ -323,7 +380,7 @@ const std::string& Session::driverName() const {
     return state_->device.driverName();
 }
 const scene::Scene& Session::scene() const {
-    return state_->scene;
+    return *state_->scene;
 }
 SessionFigures Session::figures() const {
     return {state_->device.allocatedBytes(), state_->device.allocationCount(), state_->plans,

@@ -60,11 +60,17 @@ struct GraphSource {
     std::filesystem::path file;
     std::vector<std::string> settings;  ///< as SessionOptions::settings
     std::vector<std::string> dumps;     ///< as SessionOptions::dumps
-    std::optional<graph::Display> display = {};
+    /// Settings made since, while the graph ran. One that no longer fits is dropped, and so is one whose
+    /// parameter has another value in the file than before: the last change wins.
+    std::vector<std::string> changes = {};
     /// Stands for what is in the file, as while it is edited. Paths in it are relative to the file, faults
     /// are placed in it.
     std::optional<std::string> text = std::nullopt;
+    std::optional<graph::Display> display = std::nullopt;  ///< as SessionOptions::display
 };
+
+class Draft;
+struct DraftRequest;
 
 /// What a session holds and has done.
 struct SessionFigures {
@@ -103,11 +109,27 @@ class Session {
     /// constructor.
     void resize(graph::Extent size);
     /// Another graph, or the same file read anew, from the next frame on; its parameters start from the file
-    /// and `settings`. History of ports that keep their name and shape goes on. Throws as the constructor,
-    /// and then nothing has changed.
+    /// and `settings`. History of ports that keep their name and shape goes on, and so do kept results of
+    /// passes that stay the same. Throws as the constructor, and then nothing has changed.
     void setGraph(const GraphSource& source);
-    /// Another camera than the scene's from the next frame on.
+    /// Another scene, or the same file read anew; empty: the default one. Kept results of passes that read
+    /// nothing that differs go on. Throws as the constructor, and then nothing has changed.
+    void setScene(const std::filesystem::path& scene);
+    /// Another camera than the scene's from the next frame on, until a scene with another one is set.
     void setCamera(const scene::CameraDescription& camera);
+
+    /// Begins a graph and a scene beside those that are shown. Cheap; Draft::build does the work.
+    Draft draft(DraftRequest request) const;
+    /// Shows a draft that was built, from the next frame on; values set since it was begun are set in it too.
+    /// False, and nothing has changed, if another graph or scene was set since. Throws as the constructor,
+    /// and then nothing has changed.
+    bool adopt(Draft& draft);
+    /// What is shown: to read it anew.
+    DraftRequest shown() const;
+    /// Every file that what is shown was made from, absolute, also those that are not there but would decide.
+    std::vector<std::filesystem::path> files() const;
+    /// When the reading of these files began.
+    std::filesystem::file_time_type readAt() const;
 
     /// An output ("color") or a dump ("gbuffer.position") of the last frame. Several layers or mips become
     /// channels "layer1.R", "mip2.R"; layer 0 of level 0 is plain "R".

@@ -3,25 +3,21 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-#include <sstream>
-
 #include "scene/shader_interface.h"
 
 namespace nephrite::runtime {
 namespace {
 
-std::string readText(const std::filesystem::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    std::ostringstream text;
-    text << stream.rdbuf();
-    if (!stream || !text) throw InputError({file.string()}, "the shader cannot be read");
-    return text.str();
+std::string readShader(const std::filesystem::path& file, FileTexts& files) {
+    const std::string* text = files.read(file);
+    if (text == nullptr) throw InputError({file.string()}, "the shader cannot be read");
+    return *text;
 }
 
 /// The author's shader between the generated declarations and the generated main().
 gpu::ShaderSource authorStage(const ProgramContext& context, const graph::PassType& type,
-                              const std::filesystem::path& shader, const NodeInterface& interface) {
+                              const std::filesystem::path& shader, const NodeInterface& interface,
+                              FileTexts& files) {
     const PortCalls calls(type);
     gpu::ShaderSource source;
     source.name = shader.string();
@@ -32,7 +28,7 @@ gpu::ShaderSource authorStage(const ProgramContext& context, const graph::PassTy
     const std::string generated = type.manifest.string() + " (generated)";
     source.chunks = {{"scene interface (generated)", "#version 460\n" + scene::shaderInterface()},
                      {generated, interface.declarations},
-                     {shader.string(), calls.rewrite(readText(shader)) + "\n", shader},
+                     {shader.string(), calls.rewrite(readShader(shader, files)) + "\n", shader},
                      {generated, interface.entryPoint}};
     return source;
 }
@@ -50,13 +46,13 @@ std::string_view entryPointOf(graph::PassKind kind) {
 
 /// A fault in generated text is the author's all the same: the entry point is missing, or main() is there
 /// twice.
-std::vector<std::uint32_t> compileAuthorStage(const ProgramContext& context, const graph::Plan& plan,
-                                              const graph::PlannedPass& pass,
-                                              const NodeInterface& interface) {
+gpu::CompiledShader compileAuthorStage(const ProgramContext& context, const graph::Plan& plan,
+                                       const graph::PlannedPass& pass, const NodeInterface& interface,
+                                       FileTexts& files) {
     const graph::PassType& type = plan.typeOf(pass);
     const std::filesystem::path shader = shaderOf(context, plan, pass);
     try {
-        return context.compiler.compile(authorStage(context, type, shader, interface)).spirv;
+        return context.compiler.compile(authorStage(context, type, shader, interface, files), files);
     } catch (const InputError& error) {
         std::vector<Diagnostic> faults = error.faults();
         for (Diagnostic& fault : faults) {
@@ -95,10 +91,13 @@ std::filesystem::path shaderOf(const ProgramContext& context, const graph::Plan&
 }
 
 ShaderStages compileStages(const ProgramContext& context, const graph::Plan& plan,
-                           const graph::PlannedPass& pass, const NodeInterface& interface) {
+                           const graph::PlannedPass& pass, const NodeInterface& interface, FileTexts& files) {
     requireShaderPass(plan.typeOf(pass));
+    gpu::CompiledShader author = compileAuthorStage(context, plan, pass, interface, files);
     ShaderStages stages;
-    stages.author = compileAuthorStage(context, plan, pass, interface);
+    stages.author = std::move(author.spirv);
+    stages.files = std::move(author.lookedFor);
+    stages.files.push_back(shaderOf(context, plan, pass).lexically_normal());
     if (plan.typeOf(pass).kind == graph::PassKind::Raster)
         stages.vertex = context.compiler.compile(vertexStage(pass.view)).spirv;
     return stages;

@@ -14,15 +14,16 @@ namespace nephrite::runtime {
 struct ShaderStages {
     std::vector<std::uint32_t> vertex;
     std::vector<std::uint32_t> author;
+    std::vector<std::filesystem::path> files;  ///< whose texts decide them, also those that are not there
 };
 
 /// The file a pass runs: its author's, or the program's own.
 std::filesystem::path shaderOf(const ProgramContext& context, const graph::Plan& plan,
                                const graph::PlannedPass& pass);
 
-/// Compiles them. Throws InputError: the shader's faults at the author's lines, or a native pass that no
-/// program has built in.
+/// Compiles them from the texts of `files`. Throws InputError: the shader's faults at the author's lines, or
+/// a native pass that no program has built in.
 ShaderStages compileStages(const ProgramContext& context, const graph::Plan& plan,
-                           const graph::PlannedPass& pass, const NodeInterface& interface);
+                           const graph::PlannedPass& pass, const NodeInterface& interface, FileTexts& files);
 
 }  // namespace nephrite::runtime

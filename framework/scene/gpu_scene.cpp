@@ -89,11 +89,26 @@ struct GpuScene::State {
     State(const gpu::Device& gpuDevice, const Scene& sceneToShow, std::uint32_t slotCount)
         : device(gpuDevice),
           scene(sceneToShow.state()),
-          layout(makeLayout(gpuDevice)),
+          layout(std::make_shared<const gpu::DescriptorSetLayout>(makeLayout(gpuDevice))),
           descriptors(gpuDevice),
           lightOfView(lightsOfViews(scene)),
           camera(scene.description.camera),
           moment(scene) {
+        upload(slotCount);
+    }
+    State(const Scene& sceneToShow, const State& before)
+        : device(before.device),
+          scene(sceneToShow.state()),
+          layout(before.layout),
+          descriptors(device),
+          lightOfView(lightsOfViews(scene)),
+          camera(scene.description.camera == before.scene.description.camera ? before.camera
+                                                                             : scene.description.camera),
+          moment(scene, before.moment) {
+        upload(static_cast<std::uint32_t>(before.slots.size()));
+    }
+
+    void upload(std::uint32_t slotCount) {
         for (const SceneMesh& mesh : scene.meshes) meshes.push_back(uploadMesh(device, mesh.mesh));
         lights = storage(std::span<const GpuLight>(gpuLights(scene)), "lights");
         materials = storage(std::span<const GpuMaterial>(scene.materials.materials), "materials");
@@ -104,7 +119,7 @@ struct GpuScene::State {
         sampler = gpu::Sampler(device, {VK_FILTER_NEAREST, VK_SAMPLER_MIPMAP_MODE_NEAREST});
         for (std::uint32_t i = 0; i < slotCount; ++i) {
             SceneSlot& slot = slots.emplace_back(device, scene);
-            slot.set = descriptors.allocate(layout);
+            slot.set = descriptors.allocate(*layout);
             writeDescriptors(slot);
         }
     }
@@ -134,7 +149,7 @@ struct GpuScene::State {
 
     const gpu::Device& device;
     const Scene::State& scene;
-    gpu::DescriptorSetLayout layout;
+    std::shared_ptr<const gpu::DescriptorSetLayout> layout;  ///< of this scene and those in its place
     gpu::DescriptorAllocator descriptors;
     std::vector<MeshBuffers> meshes;
     gpu::Buffer lights, materials, layers, texels;
@@ -148,11 +163,13 @@ struct GpuScene::State {
 
 GpuScene::GpuScene(const gpu::Device& device, const Scene& scene, std::uint32_t slots)
     : state_(std::make_unique<State>(device, scene, slots)) {}
+GpuScene::GpuScene(const Scene& scene, const GpuScene& before)
+    : state_(std::make_unique<State>(scene, *before.state_)) {}
 GpuScene::~GpuScene() = default;
 GpuScene::GpuScene(GpuScene&&) noexcept = default;
 
 VkDescriptorSetLayout GpuScene::descriptorSetLayout() const {
-    return state_->layout.handle();
+    return state_->layout->handle();
 }
 VkDescriptorSet GpuScene::descriptorSet(std::uint32_t slot) const {
     return state_->slots[slot].set;

@@ -24,6 +24,10 @@ class GpuScene {
   public:
     /// Uploads everything. Both arguments must outlive it. Throws RunError if memory runs out.
     GpuScene(const gpu::Device& device, const Scene& scene, std::uint32_t slots = 1);
+    /// Another scene in the place of `before`, with as many slots: programs made for that one's layout fit,
+    /// counters of parts that are the same go on, and so does a camera that was set, unless the scene's own
+    /// is another now. `before` may go once this is made. Throws RunError if memory runs out.
+    GpuScene(const Scene& scene, const GpuScene& before);
     ~GpuScene();
     GpuScene(GpuScene&&) noexcept;
 

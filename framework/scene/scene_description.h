@@ -30,6 +30,12 @@ struct CameraDescription {
     double near = 1;               ///< mm; absent: a hundredth of the distance to the target
     double far = 1000;             ///< mm; absent: a hundred times that distance
     SourceLocation where;
+
+    /// The same view, wherever it stands written.
+    friend bool operator==(const CameraDescription& a, const CameraDescription& b) {
+        return a.position == b.position && a.target == b.target && a.up == b.up && a.fovY == b.fovY &&
+               a.near == b.near && a.far == b.far;
+    }
 };
 
 /// A point light.

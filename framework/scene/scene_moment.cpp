@@ -6,6 +6,8 @@
 #include <glm/matrix.hpp>
 #include <type_traits>
 
+#include "scene/scene_difference.h"
+
 namespace nephrite::scene {
 namespace {
 
@@ -63,6 +65,15 @@ SceneMoment::SceneMoment(const Scene::State& scene) : scene_(scene), vertices_(s
     frame_.materialCount = static_cast<std::uint32_t>(scene.materials.materials.size());
     for (std::size_t i = 0; i < 9; ++i)
         frame_.environmentCoefficients[i] = glm::vec4(scene.environment.coefficients[i], 0);
+}
+
+SceneMoment::SceneMoment(const Scene::State& scene, const SceneMoment& before) : SceneMoment(scene) {
+    versions_ = versionsAfter(before.versions_, before.scene_, scene);
+    frame_.camera = before.frame_.camera;
+    frame_.time = before.frame_.time;
+    lightViews_ = before.lightViews_;
+    objects_ = before.objects_;
+    if (sameMeshes(before.scene_, scene)) vertices_ = before.vertices_;
 }
 
 void SceneMoment::moveTo(double time, const CameraDescription& camera, std::uint32_t width,

@@ -23,6 +23,8 @@ class SceneMoment {
   public:
     /// `scene` must outlive it. Nothing is there until the first moveTo().
     explicit SceneMoment(const Scene::State& scene);
+    /// `scene` in the place of another: counters of parts that shaders see the same way go on unchanged.
+    SceneMoment(const Scene::State& scene, const SceneMoment& before);
 
     /// The scene at `time` seconds, seen by `camera` in an image of `width` x `height`.
     void moveTo(double time, const CameraDescription& camera, std::uint32_t width, std::uint32_t height);

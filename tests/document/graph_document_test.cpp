@@ -231,6 +231,12 @@ TEST_F(Document, ABrokenFileIsReportedAndNotOverwritten) {
     EXPECT_EQ(onDisk(), edited);
 }
 
+TEST_F(Document, AFileThatOnlyTheEditsWouldRepairIsBroken) {
+    document_.swapPass("blur", "sharpen");
+    folder_.write("g.json", with("\"pass\": \"blur\"", "\"pass\": \"blurr\""));
+    EXPECT_THAT(faultsOf([&] { document_.reload(); }), ElementsAre(HasSubstr("unknown pass \"blurr\"")));
+}
+
 TEST_F(Document, OtherPassTypesAreTakenOnlyIfTheGraphStillLinks) {
     const auto before = document_.graph();
     EXPECT_THROW(document_.setPassTypes(std::make_shared<graph::PassLibrary>()), InputError);

@@ -1,6 +1,7 @@
 // Edits that reach the picture of a running session, and leave it bit by bit as it was when they are undone.
 #include <gmock/gmock.h>
 
+#include <chrono>
 #include <fstream>
 #include <iterator>
 
@@ -9,6 +10,7 @@
 #include "runtime/every_graph.h"
 #include "runtime/graph_loading.h"
 #include "runtime/pass_folder.h"
+#include "runtime/reload/live_reload.h"
 #include "text/faults.h"
 
 namespace nephrite::document {
@@ -101,11 +103,11 @@ TEST_F(LiveScreenSpace, PortsAreShownAndTheEditsStay) {
     const std::vector<float> before = picture();
     document_.swapPass("multiple", "lambert-albedo");
     const std::vector<float> swapped = picture();
-    live_.show(document_, {{"multiple.radiance"}, {}});
+    live_.show(document_, {"multiple.radiance"});
     session_.renderFrame(0);
     EXPECT_EQ(session_.read("color").pixels, swapped);
     EXPECT_EQ(session_.read("multiple.radiance").width, 48U);
-    EXPECT_THROW(live_.show(document_, {{"nobody.radiance"}, {}}), InputError);
+    EXPECT_THROW(live_.show(document_, {"nobody.radiance"}), InputError);
     EXPECT_EQ(session_.read("color").pixels, swapped);
 }
 
@@ -139,6 +141,52 @@ TEST_F(LiveGraphs, HistoryGoesOnWhenAnotherNodeIsSwapped) {
     EXPECT_EQ(next(), 0);
     document.undo();
     EXPECT_EQ(next(), 3 * 11) << "nobody needed the counter for a frame";
+}
+
+// What the viewer does with files that are saved: shaders are the session's business, the graph the
+// document's.
+TEST_F(LiveGraphs, EditsStayWhenFilesAreSaved) {
+    addCounter();
+    const auto addTimes = [&](const std::string& name, const std::string& factor) {
+        addPass(name, "pixel", R"("inputs": {"of": {}}, "outputs": {"color": {"format": "r32f"}})",
+                "void pixel(ivec2 p) { store(color, p, " + factor + " * load(of, p)); }");
+    };
+    addTimes("double", "2.0");
+    addTimes("triple", "3.0");
+    const std::string members = R"json("nodes": {
+        "counter": {"pass": "counter", "in": {"before": "previous(counter.color)"}},
+        "times": {"pass": "double", "in": {"of": "counter.color"}}}, "outputs": {"color": "times.color"})json";
+    const runtime::SessionOptions options = graph(members);
+    runtime::Session session(options);
+    GraphDocument document(options.graph, passes(options.passPaths));
+    LiveGraph live(session, document, {});
+    runtime::LiveReload reload(session);
+    const auto saved = [&] {
+        for (int i = 0; i < 200; ++i) {
+            if (reload.wait(std::chrono::milliseconds(50)) && reload.poll()) return true;
+        }
+        return false;
+    };
+    document.swapPass("times", "triple");
+    live.show(document, {});
+    reload.watchAnew();
+    session.renderFrame(0);
+    EXPECT_EQ(valueAt(session, "color", 0, 0), 3 * 11);
+
+    addTimes("triple", "5.0");
+    ASSERT_TRUE(saved());
+    session.renderFrame(0);
+    EXPECT_EQ(valueAt(session, "color", 0, 0), 5 * 12);
+
+    graph("// by another hand\n" +
+          std::string(members).insert(members.find(", \"in\""), R"(, "set": {"bonus": 7})"));
+    ASSERT_TRUE(saved());
+    EXPECT_TRUE(document.reload().fileChanged);
+    EXPECT_TRUE(live.show(document, {}));
+    session.renderFrame(0);
+    EXPECT_EQ(valueAt(session, "color", 0, 0), 5 * 20);
+    EXPECT_THAT(document.text(), testing::HasSubstr("// by another hand"));
+    EXPECT_TRUE(document.isModified());
 }
 
 TEST_F(LiveGraphs, AnEditedTextStandsForTheFile) {

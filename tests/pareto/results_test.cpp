@@ -4,6 +4,7 @@
 #include <json/json.h>
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 #include "pareto/plot_panels.h"
@@ -77,6 +78,8 @@ TEST(Results, ErrorIsWithoutTheReferencesNoiseWhereThatCanBeTold) {
     EXPECT_EQ(comparison.error(), 0.15);
     comparison.metrics.unbiased = image::UnbiasedError{-0.01, {0, 0, 0}};
     EXPECT_EQ(comparison.error(), 0.3);
+    comparison.metrics.unbiased = image::UnbiasedError{0.01, {std::nan(""), 0.05, 0.15}};
+    EXPECT_EQ(comparison.error(), 0.15) << "a channel without light";
 }
 
 TEST(Report, JsonHasWhatWasMeasured) {

@@ -10,6 +10,8 @@
 #include <numbers>
 
 #include "reference/dumped_frame.h"
+#include "reference/integrate.h"
+#include "reference/literal/fresnel.h"
 #include "reference/sphere_dipole.h"
 #include "runtime/session.h"
 #include "scratch_folder.h"
@@ -138,6 +140,61 @@ TEST(ConsistentSphere, UniformLightOnAMediumThatAbsorbsNothingLeavesAsItCame) {
         const image::Image picture = rendered(graph, sphere, 33);
         for (std::uint32_t c = 0; c < 3; ++c)
             EXPECT_NEAR(static_cast<double>(picture.at(16, 16, c)), 2 * (1 - reflected), 0.01) << graph;
+    }
+}
+
+/// Power (W) that enters the sphere from a light of 1 W/sr at `distance` mm from its centre.
+double enteringPower(double distance, double eta) {
+    const double most = 1 - std::sqrt(1 - 100 / (distance * distance));
+    return integrate(0, most, 2000, [&](double height) {
+        const double offset =
+            distance * std::sqrt(height * (2 - height)) / 10;  // sine of the angle of incidence
+        return 2 * std::numbers::pi *
+               (1 - fresnelReflectance(std::sqrt(std::max(0.0, 1 - offset * offset)), eta));
+    });
+}
+
+/// Irradiance (W/mm^2) of a surface at the camera that faces the sphere, by channel.
+std::array<double, 3> irradianceAtCamera(const image::Image& picture) {
+    std::array<double, 3> sum{};
+    const double slope = std::tan(18 * std::numbers::pi / 180);
+    const double pixel = 2 * slope / picture.width;
+    for (std::uint32_t y = 0; y < picture.height; ++y)
+        for (std::uint32_t x = 0; x < picture.width; ++x) {
+            const double right = (x + 0.5) * pixel - slope;
+            const double up = (y + 0.5) * pixel - slope;
+            const double squaredCosine = 1 / (1 + right * right + up * up);
+            for (std::uint32_t c = 0; c < 3; ++c)
+                sum[c] +=
+                    static_cast<double>(picture.at(x, y, c)) * pixel * pixel * squaredCosine * squaredCosine;
+        }
+    return sum;
+}
+
+/// The light goes around the sphere, and what arrives at the camera adds up to all that leaves.
+TEST(ConsistentSphere, NoMoreLeavesThanEntersWhereNothingIsAbsorbed) {
+    constexpr double distance = 100;
+    constexpr int lights = 8;
+    for (const double eta : {1.0, 1.3}) {
+        std::array<double, 3> leaving{};
+        for (int i = 0; i < lights; ++i) {
+            const double cosine = (2 * i + 1.0) / lights - 1;
+            SphereScene scene;
+            scene.absorption = {0, 0, 0};
+            scene.scattering = {0.2, 2, 20};
+            scene.eta = eta;
+            scene.light = {distance * std::sqrt(1 - cosine * cosine), 0, distance * cosine};
+            const auto arriving = irradianceAtCamera(rendered("consistent.json", scene, 32));
+            for (std::size_t c = 0; c < 3; ++c)
+                leaving[c] += 4 * std::numbers::pi * 40 * 40 * arriving[c] / lights / scene.intensity;
+        }
+        const double entering = enteringPower(distance, eta);
+        std::cout << fmt::format("eta {}: {:.3f}, {:.3f}, {:.3f} of the power leave\n", eta,
+                                 leaving[0] / entering, leaving[1] / entering, leaving[2] / entering);
+        for (const double channel : leaving) {
+            EXPECT_LT(channel, 1.03 * entering);
+            EXPECT_GT(channel, 0.85 * entering);
+        }
     }
 }
 

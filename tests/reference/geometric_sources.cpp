@@ -99,8 +99,14 @@ glm::dvec3 flowFrom(const FluxNode& leaf, const LitPoint& point, const Sources& 
     const double below = -glm::dot(along, n) / glm::length(along);
     const double opposite = std::clamp(-glm::dot(n, point.normal), 0.0, 1.0);
     const double fluence = (potential(toReal) - potential(toImage)) / sources.boundary;
+    // What a slab as thick as the point is deep lets through, over what the source alone sends there.
+    const double thick = std::max(-glm::dot(along, n), 0.0);
+    const double throughSlab = 2 * std::sinh(sources.transport * (sources.freePath + sources.boundary)) /
+                               std::sinh(sources.transport * (thick + 2 * sources.boundary)) *
+                               std::exp(sources.transport * (thick - sources.freePath));
     const double more = sources.fluenceShare * (fluence - glm::dot(flow, point.normal)) +
-                        opposite * smoothstep(0, 0.3, below) * std::max(glm::dot(taken, point.normal), 0.0);
+                        opposite * smoothstep(0, 0.3, below) * std::min(throughSlab, 1.0) *
+                            std::max(glm::dot(taken, point.normal), 0.0);
     const double inside = 1 - opposite * (1 - smoothstep(-0.2, 0.2, below));
     return inside * sources.strength(c) * (flow + more * point.normal);
 }

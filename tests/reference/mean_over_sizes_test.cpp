@@ -78,7 +78,8 @@ INSTANTIATE_TEST_SUITE_P(
                                {"multiple.radiance", "lambert.radiance", "specular.radiance",
                                 "composite.color"}},
                     GraphPorts{"light-pyramid.json", {"single-scatter.radiance", "multiple.radiance"}},
-                    GraphPorts{"screen-space.json", {"entering.irradiance", "multiple.radiance"}}),
+                    GraphPorts{"screen-space.json", {"entering.irradiance", "multiple.radiance"}},
+                    GraphPorts{"lambert-albedo.json", {"multiple.radiance"}}),
     [](const auto& instance) {
         std::string name = instance.param.graph;
         name.resize(name.find('.'));

@@ -97,16 +97,22 @@ TEST(MonteCarlo, HasTheExitanceOfExactSingleScatteringWhereLittleScattersTwice) 
 }
 
 TEST(MonteCarlo, FollowsTheLawOfBeerWhereNothingScatters) {
-    // Between two boundaries of reflectance F with transmittance t on the way: (1 - F)^2 t / (1 - F^2 t^2).
+    // Between two boundaries of reflectance F with transmittance t on the way: (1 - F)^2 t / (1 - F^2 t^2)
+    // gets through, F t of that comes back.
     const double eta = 1.5;
     const double f = 0.04;
     const double t = std::exp(-0.7);
+    const double through = (1 - f) * (1 - f) * t / (1 - f * f * t * t);
     const auto result =
         simulate(layerStackOf({0.7, 0, 0, eta}, 1), {}, {.photons = 200000, .seed = 4, .work = {}});
     statistics::Family family;
     family.add("transmittance",
                statistics::meanTest(result.totalTransmittance.value, result.totalTransmittance.standardError,
-                                    batches, (1 - f) * (1 - f) * t / (1 - f * f * t * t)));
+                                    batches, through));
+    family.add("reflectance",
+               statistics::meanTest(result.totalReflectance.value, result.totalReflectance.standardError,
+                                    batches, f * t * through));
+    EXPECT_EQ(result.singleReflectance.value, 0);
     EXPECT_TRUE(family.holds());
     EXPECT_NEAR(powerOf(result), 1, 1e-9);
 }

@@ -202,6 +202,18 @@ TEST_F(BenchPareto, MetricsAreThoseOfCompare) {
     }
 }
 
+/// The noise of a reference is that of the mean of its halves.
+TEST_F(BenchPareto, NoiseIsHalfOfWhatTheHalvesDifferBy) {
+    const std::string half = "out/references/sphere-volume-";
+    const Answer compared = place_->run("compare " + half + "1.exr " + half + "2.exr --bins 4 --json");
+    ASSERT_EQ(compared.status, 0) << compared.errors;
+    Json::Value difference;
+    std::istringstream(compared.output) >> difference;
+    for (Json::ArrayIndex c = 0; c < 3; ++c)
+        EXPECT_DOUBLE_EQ(scene()["references"][0]["noise"][c].asDouble(),
+                         difference["relRMSE"][c].asDouble() / 2);
+}
+
 TEST(BenchParetoReferences, AreKeptWhileTheyAreWhatIsAskedFor) {
     const Workplace place;
     const auto run = [&](const std::string& text, const std::string& options = "") {

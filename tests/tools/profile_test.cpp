@@ -125,7 +125,10 @@ TEST_F(ProfileVerb, RefusesWhatItCannotUse) {
     expectRefused("--model burley " + apple + "--thickness 1",
                   "--thickness: error: burley is a model of a half space");
     expectRefused("--model skin-red " + apple, "takes no coefficients");
-    expectRefused("--model montecarlo " + apple + "--photons 1", "--photons: error: ");
+    for (const std::string option : {"--photons 1", "--photons -5", "--photons 1e3", "--photons 99999999999",
+                                     "--seed -1", "--seed 18446744073709551616"})
+        expectRefused("--model montecarlo " + apple + option,
+                      option.substr(0, option.find(' ')) + ": expected a whole number");
     expectRefused("--model montecarlo " + apple + "--layers l.json", "--layers: error: ");
 }
 
@@ -142,6 +145,10 @@ TEST_F(ProfileVerb, NamesFaultsOfALayersFile) {
     EXPECT_THAT(answer.errors, HasSubstr("l.json:3:17: error: "));
     EXPECT_THAT(answer.errors, HasSubstr("l.json:4:10: error: "));
     EXPECT_EQ(place_.run("profile --model montecarlo --layers missing.json").status, 2);
+
+    place_.write("empty.json", "{}");
+    EXPECT_EQ(place_.run("profile --model montecarlo --layers empty.json").errors,
+              "empty.json:1:1: error: a stack of layers needs \"layers\"\n");
 }
 
 TEST_F(ProfileVerb, SaysWhichFileItCannotWrite) {

@@ -65,12 +65,15 @@ TEST(Reference, PartsThatDoNotFitAreRefused) {
     }
 }
 
-TEST(Reference, ContinuesAfterCtrlC) {
+/// Ctrl-C, and what Slurm sends before it ends a job.
+class Interrupted : public testing::TestWithParam<const char*> {};
+
+TEST_P(Interrupted, ReferenceContinues) {
     const Workplace place;
     const std::string run = reference("--mode volume --spp 24 ");
     ASSERT_EQ(place.run(run + "-o whole.exr").status, 0);
-    const std::string interrupt = "cd '" + place.path().string() +
-                                  "' && timeout --foreground -s INT 0.5 '" NEPHRITE_PROGRAM "' " + run +
+    const std::string interrupt = "cd '" + place.path().string() + "' && timeout --foreground -s " +
+                                  GetParam() + " 0.5 '" NEPHRITE_PROGRAM "' " + run +
                                   "-o out.exr 2> errors; echo $? > status";
     ASSERT_EQ(std::system(interrupt.c_str()), 0);
     if (!place.isThere("out.exr")) {
@@ -85,6 +88,44 @@ TEST(Reference, ContinuesAfterCtrlC) {
     EXPECT_EQ(bytesOf(place.path() / "out.exr"), bytesOf(place.path() / "whole.exr"));
 }
 
+INSTANTIATE_TEST_SUITE_P(Signals, Interrupted, testing::Values("INT", "TERM"),
+                         [](const auto& instance) { return std::string(instance.param); });
+
+/// tools/reference-array.sh with an `sbatch` that runs each job at once.
+int submit(const Workplace& place, const std::string& arguments) {
+    const auto sbatch = place.write("bin/sbatch", R"sh(#!/bin/sh
+jobs=1
+while [ "$1" != /dev/stdin ]; do
+    case "$1" in --array=1-*) jobs=${1#--array=1-} ;; esac
+    shift
+done
+shift
+cat > job.sh
+for job in $(seq "$jobs"); do SLURM_ARRAY_TASK_ID=$job sh job.sh "$@" || exit 1; done
+echo 7
+)sh");
+    std::filesystem::permissions(sbatch, std::filesystem::perms::owner_all);
+    const std::string command = "cd '" + place.path().string() +
+                                "' && PATH=\"$PWD/bin:$PATH\" NEPHRITE='" NEPHRITE_PROGRAM
+                                "' '" NEPHRITE_SOURCE_DIR "/tools/reference-array.sh' " +
+                                arguments + " > /dev/null 2> errors";
+    return std::system(command.c_str());
+}
+
+TEST(ReferenceArray, MergesWhatItsJobsRender) {
+    const Workplace place;
+    const std::string run = sceneFile("sphere.json") + " --size 32x24 --mode single --spp 2 ";
+    ASSERT_EQ(place.run("reference " + run + "-o whole.exr --stderr error.exr").status, 0);
+    ASSERT_EQ(submit(place, "3 'out/a picture.exr' " + run + "--stderr 'out/its errors.exr'"), 0)
+        << bytesOf(place.path() / "errors");
+    EXPECT_EQ(bytesOf(place.path() / "out/a picture.exr"), bytesOf(place.path() / "whole.exr"));
+    EXPECT_EQ(bytesOf(place.path() / "out/its errors.exr"), bytesOf(place.path() / "error.exr"));
+    ASSERT_EQ(submit(place, "2 plain.exr " + run), 0);
+    EXPECT_EQ(bytesOf(place.path() / "plain.exr"), bytesOf(place.path() / "whole.exr"));
+    EXPECT_NE(submit(place, "2 other.exr " + run + "--part 1/2"), 0);
+    EXPECT_FALSE(place.isThere("other.exr"));
+}
+
 TEST(Reference, SaysWhatIsWrongWithItsOptions) {
     const Workplace place;
     for (const auto& [options, message] :
@@ -93,6 +134,8 @@ TEST(Reference, SaysWhatIsWrongWithItsOptions) {
           std::pair{"--mode glossy -o a.exr", "--mode"},
           std::pair{"--mode single --spp 1 -o a.exr --stderr b.exr", "--spp 2 or more"},
           std::pair{"--mode single -o a.exr --stderr ./a.exr", "two outputs"},
+          std::pair{"--mode single --seed -1 -o a.exr", "--seed: expected a whole number"},
+          std::pair{"--mode single --seed 18446744073709551616 -o a.exr", "--seed: expected a whole number"},
           std::pair{"--mode single --time nan -o a.exr", "finite"}, std::pair{"-o a.exr", "--mode"}}) {
         const Answer answer = place.run(reference(options));
         EXPECT_EQ(answer.status, 2) << options;
@@ -103,6 +146,14 @@ TEST(Reference, SaysWhatIsWrongWithItsOptions) {
     const Answer nowhere = place.run(reference("--mode single -o none/a.exr"));
     EXPECT_EQ(nowhere.status, 1);
     EXPECT_THAT(nowhere.errors, HasSubstr("none/a.exr: error: "));
+}
+
+TEST(Reference, WritesNothingIfItsStandardErrorsCannotBeWritten) {
+    const Workplace place;
+    const Answer answer = place.run(reference("--mode single --spp 2 -o a.exr --stderr none/b.exr"));
+    EXPECT_EQ(answer.status, 1);
+    EXPECT_THAT(answer.errors, HasSubstr("none/b.exr: error: "));
+    EXPECT_FALSE(place.isThere("a.exr"));
 }
 
 }  // namespace

@@ -24,6 +24,7 @@ bool isSwitchedOff(const graph::NodeDescription& node) {
 
 /// Removes a member, and the object it was in if nothing is left there.
 json::Value without(const json::Value& root, const json::Path& path) {
+    if (!json::findAt(root, path)) return root;
     json::Value result = json::removeAt(root, path);
     const json::Path object(path.begin(), path.end() - 1);
     const auto left = json::findAt(result, object);

@@ -56,10 +56,10 @@ Rebase GraphDocument::reload() {
     if (theirs.document().text == savedText()) return {};
     link(theirs);
     Rebased now = rebased(saved_, root_, theirs, [this](const json::Value& root) { link(root); });
-    graph_ = link(now.root);
+    auto graph = link(now.root);
     rebaseVersions(theirs);
+    graph_ = std::move(graph);
     root_ = std::move(now.root);
-    versions_[current_].text = text();
     saved_ = theirs;
     return std::move(now.report);
 }
@@ -82,8 +82,8 @@ void GraphDocument::rebaseVersions(const json::Value& theirs) {
 
 Rebase GraphDocument::save() {
     std::error_code ignored;
-    Rebase report = std::filesystem::exists(file_, ignored) ? reload() : Rebase{};
     const bool isThere = std::filesystem::exists(file_, ignored);
+    Rebase report = isThere ? reload() : Rebase{};
     if (isThere && !isModified()) return report;
     image::writeFile(file_, text());
     saved_ = root_;

@@ -10,8 +10,9 @@ namespace nephrite::pareto {
 
 double ComparisonResult::error() const {
     if (metrics.unbiased) {
-        const auto& channels = metrics.unbiased->relRmse;
-        const double worst = *std::max_element(channels.begin(), channels.end());
+        double worst = 0;
+        // A channel in which the reference is black has no value.
+        for (const double channel : metrics.unbiased->relRmse) worst = std::fmax(worst, channel);
         if (worst > 0) return worst;
     }
     return metrics.worstRelRmse();

@@ -113,7 +113,9 @@ void renderReference(const ReferenceRequest& request, const scene::Scene& scene,
 
     image::Metadata record = recordOf(request, scene);
     const Unfinished unfinished(files.picture, request, record);
-    image::OutputFile(files.picture);  // so that hours of work do not end at a folder that is not there
+    // So that hours of work do not end at a folder that is not there.
+    image::OutputFile(files.picture);
+    if (!files.standardErrors.empty()) image::OutputFile(files.standardErrors);
     unfinished.load(rendering);
     renderAll(rendering, unfinished, threads, watcher);
     record["content"] = "radiance";

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "graph/compatible_types.h"
+#include "graph/graph_drawing.h"
 #include "view/picture_placement.h"
 
 namespace nephrite::view {
@@ -23,7 +24,17 @@ struct TypeMenu {
     std::vector<graph::TypeChoice> choices;
 };
 
+/// The graph as it is drawn, and from where it is seen.
+struct GraphView {
+    std::uint64_t plan = 0;  ///< the number of the plan that was drawn; 0: none yet
+    graph::GraphDrawing drawing;
+    float zoom = 0;  ///< 0: so that all of it is seen
+    float left = 0;  ///< of the panel, in the drawing
+    float top = 0;
+};
+
 struct ViewState {
+    GraphView graph;
     TypeMenu typeMenu;
     Magnification magnification;
     bool showsLower = true;

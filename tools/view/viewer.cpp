@@ -34,7 +34,7 @@ runtime::SessionOptions forWindow(runtime::SessionOptions options, const WindowL
 
 Viewer::Viewer(const ViewerOptions& options)
     : window_(library_, "Nephrite", options.width, options.height),
-      bench_(forWindow(options.session, library_)),
+      bench_(forWindow(options.session, library_), Window::wake),
       surface_(window_.makeSurface(bench_.session().device().instance())),
       presenter_(bench_.session().device(), surface_.get(), gpu::PresentMode::Fifo) {
     for (const Diagnostic& warning : bench_.session().diagnostics().warnings())
@@ -83,12 +83,32 @@ void Viewer::run() {
 
 /// Here, and while the controls are made, what is shown may change: nothing of it is being drawn.
 void Viewer::betweenFrames() {
+    takeSaved();
     if (!script_ || answers_) return;
     const std::optional<std::string> line = script_->next();
     if (!line) return;
     attempt([&] { runCommand(*this, *line); });
     answers_ = true;
     pictures_ = picturesToRest;
+}
+
+void Viewer::takeSaved() {
+    const std::optional<runtime::Reload> saved = bench_.takeSaved();
+    if (!saved) return;
+    const std::vector<std::string> lines = toLines(*saved);
+    if (saved->faults.empty()) {
+        fileFaults_.clear();
+        state_.message = lines.empty() ? std::string() : lines.back();
+    } else {
+        fileFaults_.report(lines);
+    }
+    pictures_ = picturesToRest;
+}
+
+std::vector<std::string> Viewer::bannerLines() const {
+    std::vector<std::string> lines = faults_.lines();
+    lines.insert(lines.end(), fileFaults_.lines().begin(), fileFaults_.lines().end());
+    return lines;
 }
 
 /// The answer to a command comes when its picture is shown, so that who waits for it sees what it did.

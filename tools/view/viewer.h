@@ -36,7 +36,7 @@ class Viewer {
     Workbench& bench() { return bench_; }
     ViewState& state() { return state_; }
     /// What is wrong now, a line each.
-    std::vector<std::string> bannerLines() const { return faults_.lines(); }
+    std::vector<std::string> bannerLines() const;
     Window& window() { return window_; }
     /// Where the picture is in the window; that of the reference, if there is one.
     const PicturePlacement& placement() const { return placement_; }
@@ -52,6 +52,7 @@ class Viewer {
 
   private:
     void betweenFrames();
+    void takeSaved();
     void answerScript();
     bool hasWork() const;
     void placePictures(VkExtent2D pixels);
@@ -67,7 +68,8 @@ class Viewer {
     gpu::FramePresenter presenter_;
     std::unique_ptr<UserInterface> controls_;  ///< when there is a window to draw in
     ViewState state_;
-    FaultList faults_;
+    FaultList faults_;      ///< of the last thing that the user did
+    FaultList fileFaults_;  ///< of files as they are saved
     Layout layout_;
     PicturePlacement placement_;
     std::optional<PicturePlacement> referencePlacement_;

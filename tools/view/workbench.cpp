@@ -21,9 +21,12 @@ namespace {
 constexpr std::uint32_t settlingFrames = 64;
 constexpr double secondsPerStep = 1.0 / 30;
 
+std::shared_ptr<const graph::PassLibrary> readPassTypes(const runtime::SessionOptions& options) {
+    return runtime::loadPassTypes(runtime::DataFolders::find(), options.passPaths);
+}
+
 document::GraphDocument openDocument(const runtime::SessionOptions& options) {
-    document::GraphDocument document(options.graph,
-                                     runtime::loadPassTypes(runtime::DataFolders::find(), options.passPaths));
+    document::GraphDocument document(options.graph, readPassTypes(options));
     for (const std::string& setting : options.settings) {
         const std::size_t equals = setting.find('=');
         if (equals == std::string::npos || equals == 0)
@@ -57,13 +60,15 @@ image::Metadata metadataOf(const runtime::SessionOptions& options, const Picture
 
 }  // namespace
 
-Workbench::Workbench(runtime::SessionOptions options)
+Workbench::Workbench(runtime::SessionOptions options, std::function<void()> onSaved)
     : options_(std::move(options)),
       document_(openDocument(options_)),
       choice_(firstChoice(*document_.graph())),
       session_(std::make_unique<runtime::Session>(withDisplay(options_, choice_))),
       live_(*session_, document_, extras()),
-      camera_(session_->scene().description().camera),
+      reload_(std::make_unique<runtime::LiveReload>(*session_, std::move(onSaved))),
+      sceneCamera_(session_->scene().description().camera),
+      camera_(sceneCamera_),
       time_(options_.time) {}
 
 void Workbench::markDirty() {
@@ -72,7 +77,31 @@ void Workbench::markDirty() {
 }
 
 void Workbench::showDocument() {
-    if (live_.show(document_, extras())) markDirty();
+    if (!live_.show(document_, extras())) return;
+    reload_->watchAnew();
+    markDirty();
+}
+
+std::optional<runtime::Reload> Workbench::takeSaved() {
+    std::optional<runtime::Reload> saved = reload_->poll();
+    if (!saved) return saved;
+    if (saved->faults.empty()) readDocumentAnew(*saved);
+    const scene::CameraDescription& camera = session_->scene().description().camera;
+    if (!(camera == sceneCamera_)) camera_ = OrbitCamera(sceneCamera_ = camera);
+    markDirty();
+    return saved;
+}
+
+/// Once it was edited, the graph's text is the document's and no longer that of the file.
+void Workbench::readDocumentAnew(runtime::Reload& saved) {
+    try {
+        document_.setPassTypes(readPassTypes(options_));
+        document_.reload();
+        showDocument();
+    } catch (const InputError& error) {
+        saved.faults = error.faults();
+        saved.shown = false;
+    }
 }
 
 void Workbench::set(const std::string& target, const std::string& json, document::Gesture gesture) {
@@ -120,7 +149,7 @@ void Workbench::look(PictureChoice choice) {
         reference = image::readExr(choice.reference).image;
     const PictureChoice before = std::exchange(choice_, std::move(choice));
     try {
-        live_.show(document_, extras());
+        if (live_.show(document_, extras())) reload_->watchAnew();
         applyChoice();
     } catch (...) {
         choice_ = before;

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,6 +12,7 @@
 
 #include "document/live_graph.h"
 #include "image/inspect.h"
+#include "runtime/reload/live_reload.h"
 #include "runtime/session.h"
 #include "view/orbit_camera.h"
 #include "view/pass_times.h"
@@ -20,8 +22,9 @@ namespace nephrite::view {
 
 class Workbench {
   public:
-    /// `options.settings` become edits that are not saved yet. Throws as Session.
-    explicit Workbench(runtime::SessionOptions options);
+    /// `options.settings` become edits that are not saved yet. `onSaved` is called from another thread when
+    /// takeSaved() has something to do. Throws as Session.
+    Workbench(runtime::SessionOptions options, std::function<void()> onSaved);
 
     // Changes throw InputError or RunError. The session then goes on as it was; the document may hold an edit
     // that it does not show.
@@ -32,6 +35,10 @@ class Workbench {
     void undo();
     void redo();
     void save();
+
+    /// Brings what others have saved to the session and to the document, where edits that are not saved stay.
+    /// What came of it; nothing if nothing was saved. Throws RunError if the device was lost.
+    std::optional<runtime::Reload> takeSaved();
 
     /// Looks at another port, or at the same otherwise. Another port is seen from its first level and layer,
     /// and its exposure is automatic.
@@ -66,9 +73,10 @@ class Workbench {
     /// The looked-at port in the last frame, at the chosen level and layer: its true values. Read when first
     /// asked for. Throws RunError if nothing computes it.
     const image::Image& values();
-    /// Of values() against the reference; nothing without one. Computed when first asked for. Throws as
-    /// values().
+    /// Nothing without a reference. Computed anew for another frame. Throws InputError if the two cannot be
+    /// compared.
     const std::optional<image::ReferenceError>& error();
+    const std::optional<image::Image>& reference() const { return reference_; }
 
     /// What was looked at, as the screen shows it or with its true values.
     void writePng(const std::filesystem::path& file);
@@ -79,6 +87,7 @@ class Workbench {
 
     document::Extras extras() const { return {{}, displayOf(choice_)}; }
     void showDocument();
+    void readDocumentAnew(runtime::Reload& saved);
     void applyChoice();
     void setExposure();
     void markDirty();
@@ -88,6 +97,8 @@ class Workbench {
     PictureChoice choice_;
     std::unique_ptr<runtime::Session> session_;
     document::LiveGraph live_;
+    std::unique_ptr<runtime::LiveReload> reload_;
+    scene::CameraDescription sceneCamera_;  ///< as the scene's file has it
     OrbitCamera camera_;
     PassTimes times_;
     double time_ = 0;

@@ -33,6 +33,12 @@ std::string_view lineOf(std::string_view text, std::uint32_t line) {
     return text.substr(0, text.find('\n'));
 }
 
+/// The first character of a line that is not blank, counted from 1: as near as one can say without a token.
+std::uint32_t firstColumn(std::string_view line) {
+    const std::size_t first = line.find_first_not_of(" \t");
+    return first == std::string_view::npos ? 1 : static_cast<std::uint32_t>(first + 1);
+}
+
 /// Where `token` first stands as a whole word, counted from 1; 0 if the line does not show it.
 std::uint32_t columnOf(std::string_view line, std::string_view token) {
     if (token.empty()) return 0;
@@ -79,8 +85,10 @@ std::optional<Diagnostic> located(std::string_view text, const SourceFiles& file
     if (!index || *index >= files.texts().size())
         return Diagnostic{{std::string(file), *line, 0}, std::move(message.text)};
     const SourceText& source = files.texts()[*index];
-    const std::uint32_t column = columnOf(lineOf(source.text, *line), message.token);
-    return Diagnostic{{source.name, *line, column}, std::move(message.text)};
+    const std::string_view shown = lineOf(source.text, *line);
+    const std::uint32_t column = columnOf(shown, message.token);
+    return Diagnostic{{source.name, *line, column == 0 ? firstColumn(shown) : column},
+                      std::move(message.text)};
 }
 
 /// The lines that only sum up, once there is a fault that says more.

@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <fstream>
-#include <iterator>
 
 namespace nephrite::gpu {
 namespace {
@@ -41,20 +39,20 @@ std::optional<std::string_view> includedName(std::string_view line) {
 
 }  // namespace
 
-SourceFiles::SourceFiles(const ShaderSource& source) : chunkCount_(source.chunks.size()) {
+SourceFiles::SourceFiles(const ShaderSource& source, FileTexts& files) : chunkCount_(source.chunks.size()) {
     for (const SourceChunk& chunk : source.chunks)
         texts_.push_back({chunk.name, chunk.path, withLineBreak(chunk.text), {}});
-    for (std::size_t from = 0; from < texts_.size(); ++from) resolve(from, source);
+    for (std::size_t from = 0; from < texts_.size(); ++from) resolve(from, source, files);
 }
 
-void SourceFiles::resolve(std::size_t from, const ShaderSource& shader) {
+void SourceFiles::resolve(std::size_t from, const ShaderSource& shader, FileTexts& files) {
     const SourceText source = texts_[from];  // a copy: opening files moves the texts
     std::string_view rest = source.text;
     std::string resolved;
     while (!rest.empty()) {
         const std::string_view line = rest.substr(0, rest.find('\n') + 1);
         const auto name = includedName(line);
-        const auto to = name ? find(source, std::string(*name), shader.includeFolders) : std::nullopt;
+        const auto to = name ? find(source, std::string(*name), shader.includeFolders, files) : std::nullopt;
         if (to)
             resolved += fmt::format("#include \"<{}>\"\n", *to);
         else
@@ -67,25 +65,25 @@ void SourceFiles::resolve(std::size_t from, const ShaderSource& shader) {
 }
 
 std::optional<std::size_t> SourceFiles::find(const SourceText& from, const std::string& requested,
-                                             const std::vector<std::filesystem::path>& includeFolders) {
+                                             const std::vector<std::filesystem::path>& includeFolders,
+                                             FileTexts& files) {
     if (!from.path.empty()) {
-        if (auto beside = open(from.path.parent_path() / requested)) return beside;
+        if (auto beside = open(from.path.parent_path() / requested, files)) return beside;
     }
     for (const std::filesystem::path& folder : includeFolders)
-        if (auto found = open(folder / requested)) return found;
+        if (auto found = open(folder / requested, files)) return found;
     return std::nullopt;
 }
 
-std::optional<std::size_t> SourceFiles::open(const std::filesystem::path& path) {
+std::optional<std::size_t> SourceFiles::open(const std::filesystem::path& path, FileTexts& files) {
     const std::filesystem::path normal = path.lexically_normal();
     for (std::size_t known = chunkCount_; known < texts_.size(); ++known)
         if (texts_[known].path == normal) return known;
-    std::error_code error;
-    if (!std::filesystem::is_regular_file(normal, error)) return std::nullopt;
-    std::ifstream stream(normal, std::ios::binary);
-    if (!stream) return std::nullopt;
-    std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-    texts_.push_back({normal.string(), normal, withLineBreak(std::move(text)), {}});
+    if (std::find(lookedFor_.begin(), lookedFor_.end(), normal) == lookedFor_.end())
+        lookedFor_.push_back(normal);
+    const std::string* text = files.read(normal);
+    if (text == nullptr) return std::nullopt;
+    texts_.push_back({normal.string(), normal, withLineBreak(*text), {}});
     return texts_.size() - 1;
 }
 

@@ -26,22 +26,26 @@ struct SourceText {
 
 class SourceFiles {
   public:
-    /// The pieces are the first texts, in order; then come the files they reach.
-    explicit SourceFiles(const ShaderSource& source);
+    /// The pieces are the first texts, in order; then come the files they reach, read through `files`.
+    SourceFiles(const ShaderSource& source, FileTexts& files);
 
     const std::vector<SourceText>& texts() const { return texts_; }
     std::size_t chunkCount() const { return chunkCount_; }
     std::vector<std::filesystem::path> includedPaths() const;
+    /// Every file that an #include was looked for in, also where there is none.
+    const std::vector<std::filesystem::path>& lookedFor() const { return lookedFor_; }
     /// Every text with its resolved includes, so that equal contents mean equal shaders.
     std::string content() const;
 
   private:
-    void resolve(std::size_t from, const ShaderSource& shader);
+    void resolve(std::size_t from, const ShaderSource& shader, FileTexts& files);
     std::optional<std::size_t> find(const SourceText& from, const std::string& requested,
-                                    const std::vector<std::filesystem::path>& includeFolders);
-    std::optional<std::size_t> open(const std::filesystem::path& path);
+                                    const std::vector<std::filesystem::path>& includeFolders,
+                                    FileTexts& files);
+    std::optional<std::size_t> open(const std::filesystem::path& path, FileTexts& files);
 
     std::vector<SourceText> texts_;
+    std::vector<std::filesystem::path> lookedFor_;
     std::size_t chunkCount_ = 0;
 };
 

@@ -1,17 +1,8 @@
 // Phase: what each layer of skipping leaves out, counted from the finished plan.
-#include <algorithm>
-
 #include "graph/compiler/phases.h"
 
 namespace nephrite::graph {
 namespace {
-
-bool isKeepable(const Plan& plan, const PlannedPass& pass) {
-    const auto outputs = slice(plan.outputs, pass.outputs);
-    return !outputs.empty() && std::all_of(outputs.begin(), outputs.end(), [&](Index output) {
-        return plan.resources[output].kind == ResourceKind::Kept;
-    });
-}
 
 /// Compiled without an input, or for a parameter's value.
 bool isSpecialized(const Plan& plan, const PlannedPass& pass) {
@@ -30,7 +21,7 @@ void countSkips(Compilation& work) {
         plan.skips.neutral += isPass && plan.nodes[node].state == NodeState::Skipped ? 1 : 0;
     }
     for (const PlannedPass& pass : plan.passes) {
-        if (keeps && isKeepable(plan, pass)) ++plan.skips.keepable;
+        if (keeps && keepsResults(plan, pass)) ++plan.skips.keepable;
         if (pass.tileList != noIndex) ++plan.skips.tiled;
         if (pass.iterations > 0 && isSpecialized(plan, pass)) ++plan.skips.specialized;
     }

@@ -50,6 +50,10 @@ void drawBar(Viewer& viewer) {
         commandButton(viewer, "EXR", "capture", "F3: its true values, to picture.exr");
         divide();
         commandButton(viewer, "Help", "help", "F1: every command and key");
+        if (!viewer.state().message.empty()) {
+            coloredText(color::good, viewer.state().message);
+            ImGui::SameLine();
+        }
         const std::string text = stateText(bench);
         const float width = ImGui::CalcTextSize(text.c_str()).x;
         const float right = ImGui::GetWindowWidth() - width - ImGui::GetStyle().WindowPadding.x;

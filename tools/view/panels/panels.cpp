@@ -26,6 +26,7 @@ void drawLower(Viewer& viewer) {
         };
         tab("Timings", LowerTab::Timings, drawTimings);
         tab("Skips", LowerTab::Skips, drawSkips);
+        tab("Graph", LowerTab::Graph, drawGraphOf);
         viewer.state().wantedTab.reset();
         ImGui::EndTabBar();
     }

@@ -23,5 +23,6 @@ void drawMagnifier(Viewer& viewer);
 void drawReference(Viewer& viewer);
 void drawTimings(Viewer& viewer);
 void drawSkips(Viewer& viewer);
+void drawGraphOf(Viewer& viewer);
 
 }  // namespace nephrite::view
