@@ -43,7 +43,7 @@ void pixel(ivec2 p) {
     int level = int(params.level);
     ivec2 texel = p >> level;
     vec4 value = vec4(loadLayer(image, texel, int(params.layer), level));
-    if (params.difference) value = vec4(abs(value.rgb - load(reference, p).rgb), value.a);
+    if (params.difference && connected(reference)) value = vec4(abs(value.rgb - load(reference, p).rgb), value.a);
     vec3 color = chosenChannels(value);
     vec3 picture = developed(color);
     if (any(isinf(color))) picture = infinityColor;

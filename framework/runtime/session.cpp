@@ -54,7 +54,11 @@ struct Session::State {
     State(const SessionOptions& sessionOptions, const DataFolders& dataFolders,
           std::filesystem::file_time_type began)
         : State(sessionOptions, dataFolders, began,
-                GraphContent({sessionOptions.graph, sessionOptions.settings, sessionOptions.dumps, {}, std::nullopt,
+                GraphContent({sessionOptions.graph,
+                              sessionOptions.settings,
+                              sessionOptions.dumps,
+                              {},
+                              std::nullopt,
                               sessionOptions.display},
                              dataFolders, sessionOptions.passPaths)) {}
     State(const SessionOptions& sessionOptions, const DataFolders& dataFolders,

@@ -103,11 +103,11 @@ TEST_F(LiveScreenSpace, PortsAreShownAndTheEditsStay) {
     const std::vector<float> before = picture();
     document_.swapPass("multiple", "lambert-albedo");
     const std::vector<float> swapped = picture();
-    live_.show(document_, {"multiple.radiance"});
+    live_.show(document_, Extras{.dumps = {"multiple.radiance"}, .display = {}});
     session_.renderFrame(0);
     EXPECT_EQ(session_.read("color").pixels, swapped);
     EXPECT_EQ(session_.read("multiple.radiance").width, 48U);
-    EXPECT_THROW(live_.show(document_, {"nobody.radiance"}), InputError);
+    EXPECT_THROW(live_.show(document_, Extras{.dumps = {"nobody.radiance"}, .display = {}}), InputError);
     EXPECT_EQ(session_.read("color").pixels, swapped);
 }
 

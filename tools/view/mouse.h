@@ -5,7 +5,7 @@ namespace nephrite::view {
 
 class Viewer;
 
-/// Between UserInterface::begin() and end(): turns what the mouse did over the picture into movements of the
+/// While UserInterface::draw() runs: turns what the mouse did over the picture into movements of the
 /// camera or of the magnified picture.
 void followMouse(Viewer& viewer);
 /// Runs the commands whose keys were pressed, unless somebody types text.

@@ -88,7 +88,7 @@ void Stage::draw(VkCommandBuffer commands, const gpu::SwapchainImage& target,
     }
     transition(commands, target.image, transferWrite, drawing, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
                VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
-    controls_.draw(commands, target);
+    controls_.record(commands, target);
 }
 
 void Stage::blit(VkCommandBuffer commands, VkImage target, const ShownImage& shown) {

@@ -4,6 +4,7 @@
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_vulkan.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <cmath>
 #include <filesystem>
@@ -135,13 +136,17 @@ void UserInterface::uploadLetters() {
     ImGui_ImplVulkan_DestroyFontUploadObjects();
 }
 
-void UserInterface::begin() {
+void UserInterface::draw(const std::function<void()>& panels) {
     ImGui_ImplVulkan_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     ImGui::NewFrame();
-}
-
-void UserInterface::end() {
+    try {
+        panels();
+    } catch (...) {
+        ImGui::ErrorCheckEndFrameRecover(nullptr);  // ends the panels that were begun
+        ImGui::Render();
+        throw;
+    }
     ImGui::Render();
 }
 
@@ -166,7 +171,7 @@ void UserInterface::makeFramebuffers() {
     generation_ = presenter_.generation();
 }
 
-void UserInterface::draw(VkCommandBuffer commands, const gpu::SwapchainImage& image) {
+void UserInterface::record(VkCommandBuffer commands, const gpu::SwapchainImage& image) {
     makeFramebuffers();
     VkRenderPassBeginInfo info{};
     info.sType = VK_STRUCTURE_TYPE_RENDER_PASS_BEGIN_INFO;

@@ -3,6 +3,7 @@
 
 #include <vulkan/vulkan.h>
 
+#include <functional>
 #include <vector>
 
 #include "gpu/device.h"
@@ -21,12 +22,12 @@ class UserInterface {
     UserInterface(const UserInterface&) = delete;
     UserInterface& operator=(const UserInterface&) = delete;
 
-    /// Starts a picture: from here to end() controls may be made.
-    void begin();
-    void end();
+    /// Makes the controls of a picture: `panels` may call the library. Throws what that throws; the controls
+    /// it had made are then there to be recorded all the same.
+    void draw(const std::function<void()>& panels);
     /// Records the controls of the last picture over what an image shows; it is in COLOR_ATTACHMENT_OPTIMAL
     /// before, and in PRESENT_SRC_KHR after it.
-    void draw(VkCommandBuffer commands, const gpu::SwapchainImage& image);
+    void record(VkCommandBuffer commands, const gpu::SwapchainImage& image);
 
   private:
     /// The library's context, which comes before everything else and goes last.

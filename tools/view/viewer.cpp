@@ -69,16 +69,47 @@ void Viewer::run() {
         presenter_.waitForAll();
         betweenFrames();
         const VkExtent2D pixels = window_.pixels();
-        if (bench_.isDirty()) {
-            attempt([&] { bench_.render(); });
-            pictures_ = std::max(pictures_, 1U);
-        }
-        if (pictures_ > 0 && presenter_.prepare(pixels)) draw(pixels);
-        if (pixels.width == 0) pictures_ = 0;
+        isSeen_ = pixels.width != 0 && pixels.height != 0;
+        if (wantsFrame()) render();
+        if (!isSeen_) forgetPictures();
+        if (pictures_ > 0)
+            guarded([&] {
+                if (presenter_.prepare(pixels)) draw(pixels);
+            });
         answerScript();
     }
     if (const std::size_t count = bench_.session().device().validationMessages(); count != 0)
         throw RunError(fmt::format("{} validation message{}", count, count == 1 ? "" : "s"));
+}
+
+/// Does what is no change of the user's: if it succeeds, what an earlier change threw is still to be seen.
+void Viewer::guarded(const std::function<void()>& work) {
+    try {
+        work();
+        drawingFaults_.clear();
+    } catch (const std::exception& error) {
+        drawingFaults_.report(linesOf(error));
+        pictures_ = std::min(pictures_, 1U);  // not to fail again and again without a rest
+    }
+    if (bench_.isDeviceLost()) throw RunError("the device was lost");
+}
+
+/// A window that cannot be seen shows what was changed when it is seen again, but nothing moves meanwhile.
+bool Viewer::wantsFrame() const {
+    return isSeen_ ? bench_.isDirty() : bench_.hasChanged();
+}
+
+void Viewer::render() {
+    frameFaults_.attempt([&] { bench_.render(); });
+    if (bench_.isDeviceLost()) throw RunError("the device was lost");
+    pictures_ = std::max(pictures_, 1U);
+}
+
+void Viewer::forgetPictures() {
+    pictures_ = 0;
+    if (!state_.windowCapture) return;
+    state_.windowCapture.reset();
+    faults_.report({"error: a minimised window has no picture to write"});
 }
 
 /// Here, and while the controls are made, what is shown may change: nothing of it is being drawn.
@@ -106,8 +137,9 @@ void Viewer::takeSaved() {
 }
 
 std::vector<std::string> Viewer::bannerLines() const {
-    std::vector<std::string> lines = faults_.lines();
-    lines.insert(lines.end(), fileFaults_.lines().begin(), fileFaults_.lines().end());
+    std::vector<std::string> lines;
+    for (const FaultList* list : {&faults_, &fileFaults_, &frameFaults_, &drawingFaults_})
+        lines.insert(lines.end(), list->lines().begin(), list->lines().end());
     return lines;
 }
 
@@ -115,13 +147,14 @@ std::vector<std::string> Viewer::bannerLines() const {
 void Viewer::answerScript() {
     if (!answers_ || hasWork()) return;
     answers_ = false;
-    fmt::print("{}\n", faults_.lines().empty() ? "ok" : faults_.lines().front());
+    const std::vector<std::string> lines = bannerLines();
+    fmt::print("{}\n", lines.empty() ? "ok" : lines.front());
     std::fflush(stdout);
 }
 
 bool Viewer::hasWork() const {
     const bool isAnswered = !answers_ && script_ && script_->hasNext();
-    return pictures_ > 0 || bench_.isDirty() || isAnswered || state_.windowCapture.has_value();
+    return pictures_ > 0 || wantsFrame() || isAnswered;
 }
 
 void Viewer::placePictures(VkExtent2D pixels) {
@@ -149,12 +182,12 @@ void Viewer::draw(VkExtent2D pixels) {
     if (!controls_)
         controls_ = std::make_unique<UserInterface>(window_, bench_.session().device(), presenter_);
     placePictures(pixels);
-    controls_->begin();
-    followMouse(*this);
-    followKeys(*this);
-    drawPanels(*this);
-    controls_->end();
-    if (bench_.isDirty()) attempt([&] { bench_.render(); });
+    controls_->draw([&] {
+        followMouse(*this);
+        followKeys(*this);
+        drawPanels(*this);
+    });
+    if (bench_.hasChanged()) render();
     placePictures(pixels);
     present(shownImages(pixels));
     updateTitle();
@@ -175,7 +208,8 @@ std::vector<ShownImage> Viewer::shownImages(VkExtent2D pixels) const {
 
 void Viewer::present(const std::vector<ShownImage>& images) {
     Stage stage(bench_.session().device(), presenter_, *controls_);
-    if (!state_.windowCapture) {
+    // The controls are at rest in the last of several pictures.
+    if (!state_.windowCapture || pictures_ > 1) {
         if (stage.show(images)) --pictures_;
         return;
     }

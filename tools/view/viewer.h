@@ -55,6 +55,10 @@ class Viewer {
     void takeSaved();
     void answerScript();
     bool hasWork() const;
+    void guarded(const std::function<void()>& work);
+    bool wantsFrame() const;
+    void render();
+    void forgetPictures();
     void placePictures(VkExtent2D pixels);
     void draw(VkExtent2D pixels);
     std::vector<ShownImage> shownImages(VkExtent2D pixels) const;
@@ -68,14 +72,17 @@ class Viewer {
     gpu::FramePresenter presenter_;
     std::unique_ptr<UserInterface> controls_;  ///< when there is a window to draw in
     ViewState state_;
-    FaultList faults_;      ///< of the last thing that the user did
-    FaultList fileFaults_;  ///< of files as they are saved
+    FaultList faults_;         ///< of the last thing that the user did
+    FaultList fileFaults_;     ///< of files as they are saved
+    FaultList frameFaults_;    ///< of the last frame of the graph
+    FaultList drawingFaults_;  ///< of the window's last picture
     Layout layout_;
     PicturePlacement placement_;
     std::optional<PicturePlacement> referencePlacement_;
     std::unique_ptr<CommandInput> script_;
     bool answers_ = false;        ///< a command of the script was run and its picture is not shown yet
     std::uint32_t pictures_ = 0;  ///< to draw until the controls are at rest
+    bool isSeen_ = true;          ///< the window is not minimised
     std::string title_;
 };
 

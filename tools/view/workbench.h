@@ -55,8 +55,9 @@ class Workbench {
     void play(bool playing);
     void step();
 
-    /// Whether a frame has to be rendered.
+    /// Whether a frame has to be rendered: something was changed, or time runs.
     bool isDirty() const;
+    bool hasChanged() const { return isDirty_; }
     /// Renders a frame. Throws RunError.
     void render();
 

@@ -162,6 +162,13 @@ graph::Index nodeUnder(const GraphView& view, const Screen& screen, ImVec2 mouse
     return graph::noIndex;
 }
 
+/// The button was released where it was pressed: nothing was dragged.
+bool isClick() {
+    const ImGuiIO& io = ImGui::GetIO();
+    const float threshold = io.MouseDragThreshold * io.MouseDragThreshold;
+    return ImGui::IsMouseReleased(ImGuiMouseButton_Left) && io.MouseDragMaxDistanceSqr[0] < threshold;
+}
+
 void answerMouse(Viewer& viewer, const Screen& screen) {
     ViewState& state = viewer.state();
     const graph::Plan& plan = viewer.bench().session().plan();
@@ -169,7 +176,7 @@ void answerMouse(Viewer& viewer, const Screen& screen) {
     const graph::Index under = nodeUnder(state.graph, screen, ImGui::GetMousePos());
     if (under == graph::noIndex) {
         if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) state.graph.zoom = 0;
-        if (ImGui::IsMouseReleased(ImGuiMouseButton_Left)) state.selectedNode.clear();
+        if (isClick()) state.selectedNode.clear();
         return;
     }
     const graph::DrawnNode& node = state.graph.drawing.nodes[under];

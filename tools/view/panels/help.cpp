@@ -27,7 +27,7 @@ constexpr MouseHint mouseHints[] = {
 void row(const std::string& first, const std::string& second, const std::string& third) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    ImGui::TextUnformatted(first.c_str());
+    ImGui::TextWrapped("%s", first.c_str());
     ImGui::TableNextColumn();
     coloredText(color::changed, second);
     ImGui::TableNextColumn();
@@ -43,9 +43,9 @@ void drawHelp(Viewer& viewer) {
                             picture.height - 2 * margin})) {
         if (ImGui::Button("Close (F1)")) viewer.state().showsHelp = false;
         if (ImGui::BeginTable("commands", 3, ImGuiTableFlags_RowBg)) {
-            ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, ImGui::GetFontSize() * 9);
+            ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch, 0.8F);
             ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, ImGui::GetFontSize() * 6);
-            ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch);
+            ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch, 1.0F);
             for (const MouseHint& hint : mouseHints) row(hint.action, "", hint.effect);
             for (const Command& command : allCommands())
                 row(std::string(command.name) + " " + std::string(command.arguments), keyName(command.key),

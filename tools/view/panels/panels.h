@@ -1,4 +1,4 @@
-// The panels of the viewer, one a file. Each is called between UserInterface::begin() and end().
+// The panels of the viewer, one a file. Each is called while UserInterface::draw() runs.
 #pragma once
 
 #include "view/picture_placement.h"
