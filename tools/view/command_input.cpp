@@ -28,10 +28,6 @@ int openInput(const std::filesystem::path& file) {
 
 }  // namespace
 
-OwnDescriptor::~OwnDescriptor() {
-    if (descriptor_ >= 0) close(descriptor_);
-}
-
 CommandInput::CommandInput(const std::filesystem::path& file, std::function<void()> onLine)
     : onLine_(std::move(onLine)), input_(openInput(file)), stop_(eventfd(0, EFD_CLOEXEC)) {
     if (stop_.get() < 0) throw RunError("cannot listen for commands");

@@ -9,20 +9,9 @@
 #include <string>
 #include <thread>
 
+#include "text/file_descriptor.h"
+
 namespace nephrite::view {
-
-/// A file descriptor that closes itself.
-class OwnDescriptor {
-  public:
-    explicit OwnDescriptor(int descriptor) : descriptor_(descriptor) {}
-    ~OwnDescriptor();
-    OwnDescriptor(const OwnDescriptor&) = delete;
-    OwnDescriptor& operator=(const OwnDescriptor&) = delete;
-    int get() const { return descriptor_; }
-
-  private:
-    int descriptor_;
-};
 
 class CommandInput {
   public:
@@ -42,8 +31,8 @@ class CommandInput {
     void give(std::string line);
 
     std::function<void()> onLine_;
-    OwnDescriptor input_;
-    OwnDescriptor stop_;  ///< readable when the thread shall end
+    FileDescriptor input_;
+    FileDescriptor stop_;  ///< readable when the thread shall end
     mutable std::mutex mutex_;
     std::deque<std::string> lines_;  ///< guarded by mutex_
     std::thread thread_;

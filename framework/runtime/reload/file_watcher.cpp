@@ -45,10 +45,6 @@ bool isSource(const std::filesystem::path& file) {
 
 }  // namespace
 
-FileDescriptor::~FileDescriptor() {
-    if (descriptor_ >= 0) close(descriptor_);
-}
-
 FileWatcher::FileWatcher()
     : events_(inotify_init1(IN_NONBLOCK | IN_CLOEXEC)), interrupts_(eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)) {
     if (events_.get() < 0 || interrupts_.get() < 0)

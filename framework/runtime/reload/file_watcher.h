@@ -8,20 +8,9 @@
 #include <set>
 #include <vector>
 
+#include "text/file_descriptor.h"
+
 namespace nephrite::runtime {
-
-/// A file descriptor that closes itself.
-class FileDescriptor {
-  public:
-    explicit FileDescriptor(int descriptor) : descriptor_(descriptor) {}
-    ~FileDescriptor();
-    FileDescriptor(const FileDescriptor&) = delete;
-    FileDescriptor& operator=(const FileDescriptor&) = delete;
-    int get() const { return descriptor_; }
-
-  private:
-    int descriptor_;
-};
 
 /// Of Linux (inotify), with a slow look at each file besides for file systems that report nothing.
 class FileWatcher {

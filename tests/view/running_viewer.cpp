@@ -1,0 +1,90 @@
+// Starting the viewer with pipes to it.
+#include "running_viewer.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <stdexcept>
+
+namespace nephrite::view::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::array<int, 2> makePipe() {
+    std::array<int, 2> ends{};
+    if (pipe2(ends.data(), O_CLOEXEC) != 0) throw std::runtime_error("no pipe");
+    return ends;
+}
+
+}  // namespace
+
+RunningViewer::RunningViewer() {
+    for (const char* name : {"passes", "shaders", "graphs"})
+        fs::copy(fs::path(NEPHRITE_SOURCE_DIR) / name, folder_.path() / name, fs::copy_options::recursive);
+    const std::array<int, 2> in = makePipe();
+    const std::array<int, 2> out = makePipe();
+    process_ = fork();
+    if (process_ == 0) {
+        dup2(in[0], STDIN_FILENO);
+        dup2(out[1], STDOUT_FILENO);
+        dup2(open((folder() / "errors").c_str(), O_CREAT | O_WRONLY | O_TRUNC, 0600), STDERR_FILENO);
+        setenv("NEPHRITE_DATA", folder().c_str(), 1);
+        if (chdir(folder().c_str()) == 0)
+            execl(NEPHRITE_PROGRAM, NEPHRITE_PROGRAM, "view", "graphs/paper.json", "--size", "96x96",
+                  "--window", "1024x768", "--validation", "sync", "--script", "-", nullptr);
+        _exit(127);
+    }
+    close(in[0]);
+    close(out[1]);
+    commands_ = fdopen(in[1], "w");
+    answers_ = fdopen(out[0], "r");
+}
+
+RunningViewer::~RunningViewer() {
+    if (process_ > 0) kill(process_, SIGKILL);
+    if (process_ > 0) waitpid(process_, nullptr, 0);
+    std::fclose(commands_);
+    std::fclose(answers_);
+}
+
+std::string RunningViewer::tell(const std::string& command) {
+    std::fputs((command + "\n").c_str(), commands_);
+    std::fflush(commands_);
+    std::string answer;
+    for (int c = 0; (c = std::fgetc(answers_)) != EOF && c != '\n';) answer.push_back(static_cast<char>(c));
+    return answer;
+}
+
+std::string RunningViewer::errors() const {
+    return textOf("errors");
+}
+
+std::string RunningViewer::textOf(const std::string& file) const {
+    std::ifstream stream(folder() / file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+int RunningViewer::waitForEnd() {
+    int status = 0;
+    waitpid(process_, &status, 0);
+    process_ = -1;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+double RunningViewer::processorSeconds() const {
+    std::istringstream words(textOf("/proc/" + std::to_string(process_) + "/stat"));
+    std::string word;
+    double ticks = 0;
+    for (int i = 1; i <= 15 && words >> word; ++i)
+        if (i >= 14) ticks += std::stod(word);  // utime, stime
+    return ticks / static_cast<double>(sysconf(_SC_CLK_TCK));
+}
+
+}  // namespace nephrite::view::test
