@@ -87,9 +87,11 @@ TEST(BenchParetoFaults, AreNamedWhereTheyAre) {
     expectRefused(suite(",\n \"baseline\": 1"), "", "suite.json:9:2: error: duplicate key \"baseline\"");
     std::string wrong = suite();
     wrong.replace(wrong.find("\"vary\": {\"lightSize\""), 20, "\"vary\": {\"lightSiez\"");
-    expectRefused(
-        wrong, "",
-        "suite.json:7:78: error: the graph has no parameter \"lightSiez\", did you mean \"lightSize\"?");
+    const std::size_t key = wrong.find("\"lightSiez\"");
+    const std::size_t column = key - wrong.rfind('\n', key);  // the line has the source tree's path in it
+    expectRefused(wrong, "",
+                  "suite.json:7:" + std::to_string(column) +
+                      ": error: the graph has no parameter \"lightSiez\", did you mean \"lightSize\"?");
     wrong = suite();
     wrong.replace(wrong.find("multiple.radiance"), 17, "multipel.radiance");
     expectRefused(wrong, "", "did you mean \"multiple\"?");

@@ -83,7 +83,7 @@ Screen::~Screen() {
 }
 
 unsigned long Screen::windowNamed(const std::string& ending) const {
-    for (int i = 0; i < 400; ++i) {
+    for (int i = 0; i < 1600; ++i) {
         if (const Window window = findNamed(display_, ending)) return window;
         std::this_thread::sleep_for(50ms);
     }
