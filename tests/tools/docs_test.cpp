@@ -142,11 +142,11 @@ class Pages : public testing::TestWithParam<std::string> {
         const std::string folder = folder_.string();
         // What goes on until it is interrupted is interrupted after a while.
         const bool goesOn = arguments.find(" --watch") != std::string::npos;
-        const std::string command = "cd '" + folder + "' && MESA_SHADER_CACHE_DIR=${MESA_SHADER_CACHE_DIR:-" +
-                                    folder + "/mesa} XDG_CACHE_HOME=${XDG_CACHE_HOME:-" + folder +
-                                    "/cache} " +
-                                    (goesOn ? "timeout --signal=INT --preserve-status 15 " : "") +
-                                    (arguments.empty() ? line : "'" NEPHRITE_PROGRAM "' " + arguments);
+        const std::string command =
+            "cd '" + folder + "' && MESA_SHADER_CACHE_DIR=${MESA_SHADER_CACHE_DIR:-" + folder +
+            "/mesa} XDG_CACHE_HOME=${XDG_CACHE_HOME:-" + folder + "/cache} " +
+            (goesOn ? "timeout --foreground --signal=INT --preserve-status 12 " : "") +
+            (arguments.empty() ? line : "'" NEPHRITE_PROGRAM "' " + arguments);
         const int status = std::system(("{ " + command + "; } > '" + log.string() + "' 2>&1").c_str());
         std::ostringstream text;
         text << std::ifstream(log).rdbuf();
