@@ -49,6 +49,13 @@ const FormatInfo& info(Format format) {
     return table[static_cast<std::size_t>(format)];
 }
 
+std::vector<std::string_view> formatNames() {
+    std::vector<std::string_view> names;
+    for (const FormatInfo& row : table) names.push_back(row.name);
+    for (const Alias& alias : aliases) names.push_back(alias.name);
+    return names;
+}
+
 std::optional<Format> formatNamed(std::string_view name) {
     for (const FormatInfo& row : table) {
         if (row.name == name) return row.format;

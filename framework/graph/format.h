@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace nephrite::graph {
 
@@ -48,6 +49,9 @@ std::span<const FormatInfo> allFormats();
 const FormatInfo& info(Format format);
 /// The format of that name ("rgba8unorm" is "rgba8"), or nothing.
 std::optional<Format> formatNamed(std::string_view name);
+
+/// Every name that formatNamed() knows.
+std::vector<std::string_view> formatNames();
 
 /// The elements a buffer port may have ("float", "vec4", "uint", ...), by their GLSL names.
 std::span<const std::string_view> bufferElements();

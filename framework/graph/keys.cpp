@@ -1,4 +1,4 @@
-// See keys.h. "#/definitions/..." are made in schema.cpp.
+// See keys.h. "#/definitions/..." are made in graph_schema.cpp and pass_schema.cpp.
 #include "graph/keys.h"
 
 #include <array>
@@ -9,6 +9,7 @@ namespace {
 using json::Key;
 
 constexpr std::string_view text = R"({"type": "string"})";
+constexpr std::string_view fileName = R"({"type": "string", "minLength": 1})";
 constexpr std::string_view boolean = R"({"type": "boolean"})";
 constexpr std::string_view expression = R"({"$ref": "#/definitions/expression"})";
 constexpr std::string_view size = R"({"$ref": "#/definitions/size"})";
@@ -21,30 +22,28 @@ constexpr std::string_view element = R"({"$ref": "#/definitions/bufferElement"})
 constexpr std::array graphKeys{
     Key{"name", text, "what the graph is called; its file's name if absent"},
     Key{"doc", text, "what the graph computes"},
-    Key{"parameters", R"({"type": "object", "additionalProperties": {"$ref": "#/definitions/parameter"}})",
+    Key{"parameters", R"({"$ref": "#/definitions/parameters"})",
         "values nodes may use as \"$NAME\" and expressions as graph.NAME"},
-    Key{"imports", R"({"type": "object", "additionalProperties": {"$ref": "#/definitions/import"}})",
+    Key{"imports", R"({"$ref": "#/definitions/imports"})",
         "images from outside, which nodes read as \"import(NAME)\""},
-    Key{"nodes",
-        R"({"type": "object", "minProperties": 1, "additionalProperties": {"$ref": "#/definitions/node"}})",
-        "the passes, by the names the rest of the graph calls them", true},
+    Key{"nodes", R"({"$ref": "#/definitions/nodes"})",
+        "the passes, by the names the rest of the graph calls them; it may be empty where there is an import",
+        true},
     Key{"outputs",
         R"({"type": "object", "minProperties": 1, "additionalProperties": {"$ref": "#/definitions/port"}})",
         "what the graph computes: a name, and the port it comes from; \"color\" is the picture", true},
 };
 
 constexpr std::array graphParameterKeys{
-    Key{"value",
-        R"({"anyOf": [{"type": ["boolean", "number"]}, {"type": "array", "minItems": 1, "items": {"type": "number"}}]})",
-        "a boolean, a number or an array of numbers", true},
+    Key{"value", R"({"$ref": "#/definitions/value"})", "a boolean, a number or an array of numbers", true},
     Key{"range", range, "least and greatest value of each number"},
     Key{"doc", text, "what it means, with its unit"},
 };
 
 constexpr std::array graphImportKeys{
-    Key{"image", text,
+    Key{"image", fileName,
         "an OpenEXR file beside the graph; without it the program that uses the graph hands one over"},
-    Key{"format", format, "pixel format; rgba32f if absent"},
+    Key{"format", R"({"$ref": "#/definitions/importFormat"})", "pixel format; rgba32f if absent"},
     Key{"doc", text, "what it holds, with its unit"},
 };
 
@@ -56,7 +55,7 @@ constexpr std::array nodeKeys{
         "runs once for each view of each light, or for each level of its outputs; the pass type's if absent"},
     Key{"in", R"({"type": "object", "additionalProperties": {"$ref": "#/definitions/port"}})",
         "input ports, each with the \"node.port\" it reads, or previous(...), mip(...), layer(...) of one"},
-    Key{"set", R"({"type": "object"})",
+    Key{"set", R"({"type": "object", "additionalProperties": {"$ref": "#/definitions/setting"}})",
         "parameters of the pass type: a value, or \"$NAME\" of a graph parameter"},
     Key{"size", size, "of every output of the node"},
     Key{"format", R"({"type": "object", "additionalProperties": {"$ref": "#/definitions/format"}})",
@@ -68,15 +67,12 @@ constexpr std::array nodeKeys{
 constexpr std::array manifestKeys{
     Key{"kind", R"({"enum": ["pixel", "compute", "raster", "native"]})",
         "how it runs: once a pixel, as raw compute, drawing the scene, or in C++", true},
-    Key{"shader", text,
+    Key{"shader", fileName,
         "GLSL file beside the manifest, or in the shader folder; every kind but native needs it"},
     Key{"doc", text, "what the pass computes, with the equation it implements"},
-    Key{"inputs", R"({"type": "object", "additionalProperties": {"$ref": "#/definitions/input"}})",
-        "the images and buffers it reads"},
-    Key{"outputs", R"({"type": "object", "additionalProperties": {"$ref": "#/definitions/output"}})",
-        "the images and buffers it writes"},
-    Key{"parameters", R"({"type": "object", "additionalProperties": {"$ref": "#/definitions/parameter"}})",
-        "values a graph may set"},
+    Key{"inputs", R"({"$ref": "#/definitions/inputs"})", "the images and buffers it reads"},
+    Key{"outputs", R"({"$ref": "#/definitions/outputs"})", "the images and buffers it writes"},
+    Key{"parameters", R"({"$ref": "#/definitions/parameters"})", "values a graph may set"},
     Key{"skipWhen", expression, "where this is true the pass does not run and its outputs are neutral"},
     Key{"sideEffect", boolean, "true: it runs although nothing reads its outputs"},
     Key{"forEach", forEach,
@@ -100,19 +96,19 @@ constexpr std::array outputKeys{
     Key{"format", format, "pixel format; rgba16f if absent"},
     Key{"size", size, "the first input's if absent, else the view's"},
     Key{"neutral", neutral, "what its readers get when the pass is skipped"},
-    Key{"mips", expression, "levels, 0 for all down to one pixel"},
-    Key{"layers", expression, "array layers, for each iteration of a forEach node"},
+    Key{"mips", R"({"$ref": "#/definitions/mips"})", "levels, 0 for all down to one pixel"},
+    Key{"layers", R"({"$ref": "#/definitions/layers"})",
+        "array layers, for each iteration of a forEach node"},
     Key{"buffer", element, "it is a buffer of this GLSL type"},
-    Key{"count", expression, "elements of the buffer"},
-    Key{"modifies", text, "an input: the output is that image or buffer, written again in place"},
+    Key{"count", R"({"$ref": "#/definitions/count"})", "elements of the buffer"},
+    Key{"modifies", R"({"type": "string", "minLength": 1})",
+        "an input: the output is that image or buffer, written again in place"},
 };
 
 constexpr std::array parameterKeys{
-    Key{"type", R"({"type": "string", "pattern": "^(bool|int|uint|float|vec[234]|float\\[[1-9][0-9]*\\])$"})",
+    Key{"type", R"({"$ref": "#/definitions/parameterType"})",
         "bool, int, uint, float, vec2, vec3, vec4 or float[N]", true},
-    Key{"default",
-        R"({"anyOf": [{"type": ["boolean", "number"]}, {"type": "array", "minItems": 1, "items": {"type": "number"}}]})",
-        "its value where a graph does not set it", true},
+    Key{"default", R"({"$ref": "#/definitions/value"})", "its value where a graph does not set it", true},
     Key{"range", range, "least and greatest value of each component"},
     Key{"specialize", boolean,
         "true: a constant of the compiled shader, so code it switches off costs nothing"},

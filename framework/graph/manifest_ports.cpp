@@ -12,10 +12,6 @@
 namespace nephrite::graph {
 namespace {
 
-constexpr double mostMips = 32;
-constexpr double mostLayers = 65536;
-constexpr double mostElements = 4294967295.0;
-
 void readDoc(json::ObjectReader& object, std::string& doc) {
     if (const auto value = object.optional("doc")) {
         doc = value->string(object.diagnostics(), "a string").value_or("");
@@ -27,11 +23,11 @@ void readNeutral(json::ObjectReader& object, std::array<double, 4>& neutral) {
     if (!value) return;
     const auto numbers = value->numbers(object.diagnostics(), "a neutral value of 4 numbers", 4);
     if (!numbers) return;
-    constexpr double largest = 65504;  // of a 16-bit float, the narrowest format of every port
     for (const double number : *numbers) {
-        if (std::abs(number) <= largest) continue;
+        if (std::abs(number) <= largestNeutral) continue;
         object.diagnostics().error(
-            value->where(), fmt::format("a neutral value is within -65504 and 65504, found {}", number));
+            value->where(),
+            fmt::format("a neutral value is within -{0} and {0}, found {1}", largestNeutral, number));
         return;
     }
     std::copy(numbers->begin(), numbers->end(), neutral.begin());

@@ -33,15 +33,14 @@ bool isIntegral(ParameterType type) {
     return type == ParameterType::Int || type == ParameterType::Uint;
 }
 
-/// The least and greatest number a 32-bit component of that type holds.
+}  // namespace
+
 std::array<double, 2> limits(ParameterType type) {
     if (type == ParameterType::Int) return {-2147483648.0, 2147483647.0};
     if (type == ParameterType::Uint) return {0.0, 4294967295.0};
     const double largest = std::numeric_limits<float>::max();
     return {-largest, largest};
 }
-
-}  // namespace
 
 std::string_view name(ParameterType type) {
     static constexpr std::array<std::string_view, 8> names{"bool", "int",  "uint", "float",

@@ -2,6 +2,7 @@
 #include "graph/value_readers.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,9 +11,6 @@
 
 namespace nephrite::graph {
 namespace {
-
-constexpr double largestSide = 1e6;    ///< pixels; no device comes near it
-constexpr double largestScale = 1000;  ///< of the view
 
 constexpr std::array<std::string_view, 34> glslKeywords{
     "bool",   "int",     "uint",  "float",   "double",    "vec2",     "vec3",   "vec4", "mat2",
@@ -108,6 +106,14 @@ bool isIdentifier(std::string_view name, bool dashes) {
     const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
     const auto follows = [&](char c) { return letter(c) || (c >= '0' && c <= '9') || (dashes && c == '-'); };
     return !name.empty() && letter(name[0]) && std::all_of(name.begin(), name.end(), follows);
+}
+
+std::string_view identifierPattern(bool dashes) {
+    return dashes ? "^[A-Za-z_][A-Za-z0-9_-]*$" : "^[A-Za-z_][A-Za-z0-9_]*$";
+}
+
+std::string glslNamePattern() {
+    return fmt::format("^(?!gl_)(?!.*__)(?!({})$)[A-Za-z_][A-Za-z0-9_]*$", fmt::join(glslKeywords, "|"));
 }
 
 void checkGlslName(const std::string& name, const SourceLocation& where, std::string_view what,

@@ -11,12 +11,19 @@
 
 namespace nephrite::graph {
 
+inline constexpr double largestSide = 1e6;    ///< pixels; no device comes near it
+inline constexpr double largestScale = 1000;  ///< of the view
+
 /// [A-Za-z_][A-Za-z0-9_]*, with dashes after the first character too if `dashes`.
 bool isIdentifier(std::string_view name, bool dashes = false);
+/// The regular expression (ECMA 262) of such names.
+std::string_view identifierPattern(bool dashes = false);
 /// Adds a fault unless GLSL can use the name: an identifier without "gl_" at its start, without "__" and no
 /// keyword.
 void checkGlslName(const std::string& name, const SourceLocation& where, std::string_view what,
                    Diagnostics& diagnostics);
+/// The regular expression of names that GLSL can use.
+std::string glslNamePattern();
 
 /// A number, a boolean or an expression string.
 std::optional<Expression> readExpression(const json::Value& value, Diagnostics& diagnostics);

@@ -15,8 +15,6 @@ namespace {
 using json::ObjectReader;
 using json::Value;
 
-constexpr NumberRule anisotropy{"a number between -1 and 1", -1, 1};
-
 /// A material as it is read; overrides replace what a preset said.
 class MaterialReader {
   public:

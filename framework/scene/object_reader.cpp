@@ -18,10 +18,6 @@ using json::ObjectReader;
 using json::Value;
 
 constexpr std::array<std::string_view, 6> animationTypes{"clip", "rotate", "path", "twist", "bend", "pulse"};
-/// Keeps a place on a path, and what is fitted or scaled, inside the range of a float.
-constexpr double largestScale = 1e6;
-constexpr NumberRule scaleRule{"a scale greater than 0 and at most 1e6", 1 / largestScale / largestScale,
-                               largestScale};
 
 void readModel(const Value& value, const std::filesystem::path& models, MeshDescription& mesh,
                Diagnostics& diagnostics) {

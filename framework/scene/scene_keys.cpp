@@ -8,11 +8,12 @@ using json::Key;
 
 constexpr std::string_view point = R"({"$ref": "#/definitions/vector"})";
 constexpr std::string_view color = R"({"$ref": "#/definitions/color"})";
-constexpr std::string_view positive = R"({"type": "number", "minimum": 0, "exclusiveMinimum": true})";
-constexpr std::string_view notNegative = R"({"type": "number", "minimum": 0})";
+constexpr std::string_view number = R"({"$ref": "#/definitions/number"})";
+constexpr std::string_view positive = R"({"$ref": "#/definitions/positive"})";
+constexpr std::string_view notNegative = R"({"$ref": "#/definitions/notNegative"})";
 
 constexpr Key sceneKeys[] = {
-    {"millimetersPerUnit", positive,
+    {"millimetersPerUnit", R"({"$ref": "#/definitions/unit"})",
      "Multiplies every position, radius, near, far and mesh coordinate; default 1."},
     {"camera", R"({"$ref": "#/definitions/camera"})", "Where the picture is taken from.", true},
     {"lights", R"({"type": "array", "items": {"$ref": "#/definitions/light"}})",
@@ -29,8 +30,7 @@ constexpr Key cameraKeys[] = {
     {"position", point, "Place, in units of the scene.", true},
     {"target", point, "The place in the middle of the picture; default the origin."},
     {"up", point, "The direction that is up in the picture; default +y."},
-    {"fovY",
-     R"({"type": "number", "minimum": 0, "maximum": 180, "exclusiveMinimum": true, "exclusiveMaximum": true})",
+    {"fovY", R"({"$ref": "#/definitions/fieldOfView"})",
      "Whole vertical field of view in degrees; default 45."},
     {"near", positive, "Distance of the near plane; default a hundredth of the distance to the target."},
     {"far", positive, "Distance of the far plane; default a hundred times the distance to the target."},
@@ -55,10 +55,9 @@ constexpr Key materialKeys[] = {
     {"doc", R"({"type": "string"})", "What the material is and where its numbers come from."},
     {"diffuse", R"({"$ref": "#/definitions/reflectance"})",
      "Diffuse reflectance R, G, B, 0..1; default 0.8."},
-    {"roughness", R"({"type": "number", "minimum": 0, "maximum": 1})",
+    {"roughness", R"({"$ref": "#/definitions/unitInterval"})",
      "Roughness of the surface; default 0.5 (a preset: 0.3)."},
-    {"g", R"({"type": "number", "minimum": -1, "maximum": 1})",
-     "Mean cosine of the phase function; default 0."},
+    {"g", R"({"$ref": "#/definitions/anisotropy"})", "Mean cosine of the phase function; default 0."},
     {"eta", positive, "Refractive index relative to outside; default 1.3."},
     {"specular", R"({"type": "boolean"})",
      "Whether the surface has a highlight; default false (a preset: true)."},
@@ -114,8 +113,7 @@ constexpr Key clipKeys[] = {
 constexpr Key rotationKeys[] = {
     {"type", R"({"enum": ["rotate"]})", "Turns the object about an axis through its place.", true},
     {"axis", point, "World direction; default +y."},
-    {"degreesPerSecond", R"({"type": "number"})",
-     "Speed, counter-clockwise seen against the axis; default 90."},
+    {"degreesPerSecond", number, "Speed, counter-clockwise seen against the axis; default 90."},
 };
 
 constexpr Key pathKeys[] = {

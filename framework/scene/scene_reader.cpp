@@ -17,8 +17,6 @@ namespace {
 using json::ObjectReader;
 using json::Value;
 
-constexpr NumberRule fieldOfView{"an angle greater than 0 and less than 180 degrees", 0, 180, true};
-constexpr NumberRule unitRule{"a length greater than 0 and at most 1e6", 1e-9, 1e6};
 constexpr std::array<std::string_view, 1> lightTypes{"point"};
 
 /// Reads the members of one scene in turn.

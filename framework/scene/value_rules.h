@@ -22,6 +22,11 @@ inline constexpr NumberRule anyNumber{};
 inline constexpr NumberRule notNegative{"a number that is not negative (and at most 1e15)", 0};
 inline constexpr NumberRule positive{"a number greater than 0 (and less than 1e15)", 0, 1e15, true};
 inline constexpr NumberRule unitInterval{"a number between 0 and 1", 0, 1};
+inline constexpr NumberRule anisotropy{"a number between -1 and 1", -1, 1};
+inline constexpr NumberRule fieldOfView{"an angle greater than 0 and less than 180 degrees", 0, 180, true};
+inline constexpr NumberRule unitRule{"a length greater than 0 and at most 1e6", 1e-9, 1e6};
+/// Keeps a place on a path, and what is fitted or scaled, inside the range of a float.
+inline constexpr NumberRule scaleRule{"a scale greater than 0 and at most 1e6", 1e-12, 1e6};
 
 /// Adds a fault and returns false if a number read at `where` breaks the rule.
 bool obeys(const NumberRule& rule, double number, const json::Value& where, Diagnostics& diagnostics);

@@ -143,13 +143,15 @@ class Reader {
             readNumber(
                 "amount", result_.amount, [](double v) { return v > -1.0 && v < 1.0; }, "between -1 and 1");
             readNumber(
-                "waves", result_.waves, [](double v) { return std::abs(v) <= 1e6; }, "at most 1e6");
+                "waves", result_.waves, [](double v) { return std::abs(v) <= mostWaves; }, "at most 1e6");
         } else {
             readNumber(
-                "degrees", result_.degrees, [](double v) { return std::abs(v) <= 1e6; }, "at most 1e6");
+                "degrees", result_.degrees, [](double v) { return std::abs(v) <= mostDegrees; },
+                "at most 1e6");
         }
         readNumber(
-            "period", result_.period, [](double v) { return v > 1e-6 && v < 1e9; }, "greater than 0");
+            "period", result_.period, [](double v) { return v > shortestPeriod && v < longestPeriod; },
+            "greater than 0");
         object_.finish();
         return result_;
     }
@@ -177,7 +179,7 @@ class Reader {
         if (!numbers) return;
         const glm::dvec3 read((*numbers)[0], (*numbers)[1], (*numbers)[2]);
         const double length = glm::length(read);
-        if (!(length > 1e-12 && length < 1e12)) {
+        if (!(length > 1e-12 && length < longestDirection)) {
             object_.diagnostics().error(
                 value->where(), fmt::format("\"{}\" needs a direction, found {}", key, value->sourceText()));
             return;

@@ -45,6 +45,14 @@ struct Deformation {
     double period = 2.0;                ///< seconds
 };
 
+// What a scene may ask of a deformation: amounts between -1 and 1, up to so many degrees and waves either
+// way, and periods between these.
+inline constexpr double longestDirection = 1e12;
+inline constexpr double mostDegrees = 1e6;
+inline constexpr double mostWaves = 1e6;
+inline constexpr double shortestPeriod = 1e-6;
+inline constexpr double longestPeriod = 1e9;
+
 /// True if `type` is an animation type this file reads: "twist", "bend" or "pulse".
 bool isDeformation(std::string_view type);
 

@@ -10,6 +10,10 @@
 
 namespace nephrite::scene {
 
+// Lengths that a scene may give a procedural mesh.
+inline constexpr double shortestLength = 1e-6;
+inline constexpr double longestLength = 1e6;
+
 /// A sphere about the origin, of 160 x 320 facets (latitude x longitude): 101,760 triangles without the
 /// degenerate ones at the poles. No point of it is farther than 1e-4 radius from the true sphere. Texture
 /// coordinates are those of TextureMapping::spherical.

@@ -9,8 +9,6 @@ namespace nephrite::scene {
 namespace {
 
 constexpr std::string_view names[] = {"sphere", "slab", "teapot", "cube", "plane", "torus"};
-constexpr double smallest = 1e-6;
-constexpr double largest = 1e6;
 
 class Reader {
   public:
@@ -76,11 +74,11 @@ class Reader {
         return object_.diagnostics().errors().size() == errorsBefore_;
     }
 
-    bool allowed(double length) const { return length >= smallest && length <= largest; }
+    bool allowed(double length) const { return length >= shortestLength && length <= longestLength; }
 
     void refuse(const json::Value& value, std::string_view key) {
         object_.diagnostics().error(value.where(), fmt::format("\"{}\" must be from {:g} to {:g}, found {}",
-                                                               key, smallest, largest, value.sourceText()));
+                                                               key, shortestLength, longestLength, value.sourceText()));
     }
 
     float length(std::string_view key, double fallback) {
