@@ -34,34 +34,37 @@ for argument in "$@"; do
 done
 
 root=$(cd "$(dirname "$0")/.." && pwd)
-export NEPHRITE="${NEPHRITE:-$root/build/release/nephrite}"
-export VERB="$verb" PARTS="$parts" OUTPUT="$output" STEM="${output%.exr}" ERRORS="${errors%.exr}"
+program=${NEPHRITE:-$root/build/release/nephrite}
 case $verb in
-    reference) folder=$(dirname "$output") ;;
-    sweep) folder=$output ;;
+    reference) stem=${output%.exr} folder=$(dirname "$output") ;;
+    sweep) stem=$output/sweep folder=$output ;;
 esac
 mkdir -p "$folder"
 
-# Arguments reach the jobs as theirs, so names with blanks stay whole.
+# All that jobs need reaches them as arguments: names with blanks stay whole, and SBATCH_EXPORT=NONE does no harm.
+set -- "$program" "$verb" "$parts" "$output" "$stem" "${errors%.exr}" "$@"
 array=$(sbatch --parsable --array="1-$parts" --job-name="$verb" --output="$folder/$verb-%a.log" \
     /dev/stdin "$@" <<'JOB'
 #!/bin/sh
-part=$SLURM_ARRAY_TASK_ID
-if [ "$VERB" = sweep ]; then exec "$NEPHRITE" sweep "$@" --part "$part/$PARTS" -o "$OUTPUT"; fi
-if [ -n "$ERRORS" ]; then set -- "$@" --stderr "$ERRORS.part-$part.exr"; fi
-exec "$NEPHRITE" reference "$@" --threads "${SLURM_CPUS_PER_TASK:-1}" --part "$part/$PARTS" -o "$STEM.part-$part.exr"
+program=$1 verb=$2 part=$SLURM_ARRAY_TASK_ID/$3 output=$4 stem=$5.part-$SLURM_ARRAY_TASK_ID errors=$6
+shift 6
+if [ "$verb" = sweep ]; then exec "$program" sweep "$@" --part "$part" -o "$output"; fi
+if [ -n "$errors" ]; then set -- "$@" --stderr "$errors.part-$SLURM_ARRAY_TASK_ID.exr"; fi
+exec "$program" reference "$@" --threads "${SLURM_CPUS_PER_TASK:-1}" --part "$part" -o "$stem.exr"
 JOB
 )
 sbatch --parsable --dependency="afterok:${array%%;*}" --job-name="$verb-merge" \
     --output="$folder/$verb-merge.log" /dev/stdin "$@" <<'JOB'
 #!/bin/sh
 set -eu
+program=$1 verb=$2 parts=$3 output=$4 picture=$5 errors=$6
+shift 6
 # All runs of a sweep are done: what is left of it are its tables.
-if [ "$VERB" = sweep ]; then exec "$NEPHRITE" sweep "$@" -o "$OUTPUT"; fi
-for stem in "$STEM" "$ERRORS"; do
+if [ "$verb" = sweep ]; then exec "$program" sweep "$@" -o "$output"; fi
+for stem in "$picture" "$errors"; do
     [ -n "$stem" ] || continue
     set --
-    for part in $(seq "$PARTS"); do set -- "$@" "$stem.part-$part.exr"; done
-    "$NEPHRITE" merge "$@" -o "$stem.exr"
+    for part in $(seq "$parts"); do set -- "$@" "$stem.part-$part.exr"; done
+    "$program" merge "$@" -o "$stem.exr"
 done
 JOB
