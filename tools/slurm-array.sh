@@ -40,10 +40,12 @@ case $verb in
     sweep) stem=$output/sweep folder=$output ;;
 esac
 mkdir -p "$folder"
+# Logs are named after the output, so that other pictures of the folder keep theirs. To sbatch, %% is a %.
+log=$(printf '%s\n' "$stem" | sed 's/%/%%/g')
 
 # All that jobs need reaches them as arguments: names with blanks stay whole, and SBATCH_EXPORT=NONE does no harm.
 set -- "$program" "$verb" "$parts" "$output" "$stem" "${errors%.exr}" "$@"
-array=$(sbatch --parsable --array="1-$parts" --job-name="$verb" --output="$folder/$verb-%a.log" \
+array=$(sbatch --parsable --array="1-$parts" --job-name="$verb" --output="$log.part-%a.log" \
     /dev/stdin "$@" <<'JOB'
 #!/bin/sh
 program=$1 verb=$2 part=$SLURM_ARRAY_TASK_ID/$3 output=$4 stem=$5.part-$SLURM_ARRAY_TASK_ID errors=$6
@@ -54,7 +56,7 @@ exec "$program" reference "$@" --threads "${SLURM_CPUS_PER_TASK:-1}" --part "$pa
 JOB
 )
 sbatch --parsable --dependency="afterok:${array%%;*}" --job-name="$verb-merge" \
-    --output="$folder/$verb-merge.log" /dev/stdin "$@" <<'JOB'
+    --output="$log.merge.log" /dev/stdin "$@" <<'JOB'
 #!/bin/sh
 set -eu
 program=$1 verb=$2 parts=$3 output=$4 picture=$5 errors=$6
