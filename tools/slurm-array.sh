@@ -3,7 +3,8 @@
 #     tools/slurm-array.sh reference PARTS OUTPUT.exr SCENE [OPTIONS OF nephrite reference]...
 #     tools/slurm-array.sh sweep PARTS FOLDER FILE [OPTIONS OF nephrite sweep]...
 # With --stderr F.exr the standard errors of a reference are written a part a file and merged, too.
-# Environment: NEPHRITE (the program), SBATCH_* (as sbatch reads them). Give the same line again to continue.
+# Prints the last job's id. If a part fails, Slurm drops that job. Give the same line again to continue.
+# Environment: NEPHRITE (the program), SBATCH_* (as sbatch reads them).
 set -eu
 
 case "${1-}" in reference | sweep) ;; *) set -- ;; esac
@@ -55,7 +56,7 @@ if [ -n "$errors" ]; then set -- "$@" --stderr "$errors.part-$SLURM_ARRAY_TASK_I
 exec "$program" reference "$@" --threads "${SLURM_CPUS_PER_TASK:-1}" --part "$part" -o "$stem.exr"
 JOB
 )
-sbatch --parsable --dependency="afterok:${array%%;*}" --job-name="$verb-merge" \
+sbatch --parsable --dependency="afterok:${array%%;*}" --kill-on-invalid-dep=yes --job-name="$verb-merge" \
     --output="$log.merge.log" /dev/stdin "$@" <<'JOB'
 #!/bin/sh
 set -eu
