@@ -4,7 +4,7 @@
 #     tools/slurm-array.sh sweep PARTS FOLDER FILE [OPTIONS OF nephrite sweep]...
 # With --stderr F.exr the standard errors of a reference are written a part a file and merged, too.
 # Prints the last job's id. If a part fails, Slurm drops that job. Give the same line again to continue.
-# Environment: NEPHRITE (the program), SBATCH_* (as sbatch reads them).
+# Environment: NEPHRITE (the program), CPUS (of each part; 1), SBATCH_* (as sbatch reads them).
 set -eu
 
 case "${1-}" in reference | sweep) ;; *) set -- ;; esac
@@ -46,14 +46,15 @@ log=$(printf '%s\n' "$stem" | sed 's/%/%%/g')
 
 # All that jobs need reaches them as arguments: names with blanks stay whole, and SBATCH_EXPORT=NONE does no harm.
 set -- "$program" "$verb" "$parts" "$output" "$stem" "${errors%.exr}" "$@"
-array=$(sbatch --parsable --array="1-$parts" --job-name="$verb" --output="$log.part-%a.log" \
-    /dev/stdin "$@" <<'JOB'
+array=$(sbatch --parsable --array="1-$parts" --cpus-per-task="${CPUS:-1}" --job-name="$verb" \
+    --output="$log.part-%a.log" /dev/stdin "$@" <<'JOB'
 #!/bin/sh
 program=$1 verb=$2 part=$SLURM_ARRAY_TASK_ID/$3 output=$4 stem=$5.part-$SLURM_ARRAY_TASK_ID errors=$6
 shift 6
 if [ "$verb" = sweep ]; then exec "$program" sweep "$@" --part "$part" -o "$output"; fi
 if [ -n "$errors" ]; then set -- "$@" --stderr "$errors.part-$SLURM_ARRAY_TASK_ID.exr"; fi
-exec "$program" reference "$@" --threads "${SLURM_CPUS_PER_TASK:-1}" --part "$part" -o "$stem.exr"
+# More than CPUS where whole nodes are asked for.
+exec "$program" reference "$@" --threads "${SLURM_CPUS_ON_NODE:-1}" --part "$part" -o "$stem.exr"
 JOB
 )
 sbatch --parsable --dependency="afterok:${array%%;*}" --kill-on-invalid-dep=yes --job-name="$verb-merge" \
