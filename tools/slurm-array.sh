@@ -17,6 +17,12 @@ verb=$1
 parts=$2
 output=$3
 shift 3
+case $parts in
+    '' | 0* | *[!0-9]*)
+        echo "$0: PARTS: expected a whole number from 1, found \"$parts\"" >&2
+        exit 2
+        ;;
+esac
 
 # Every job must write files of its own: --stderr becomes ERRORS, and what a job is given by this script is refused.
 errors=
@@ -36,11 +42,17 @@ done
 
 root=$(cd "$(dirname "$0")/.." && pwd)
 program=${NEPHRITE:-$root/build/release/nephrite}
+if ! command -v "$program" > /dev/null; then
+    echo "$0: $program: there is no such program" >&2
+    exit 1
+fi
+
 case $verb in
     reference) stem=${output%.exr} folder=$(dirname "$output") ;;
     sweep) stem=$output/sweep folder=$output ;;
 esac
 mkdir -p "$folder"
+if [ -n "$errors" ]; then mkdir -p "$(dirname "$errors")"; fi
 # Logs are named after the output, so that other pictures of the folder keep theirs. To sbatch, %% is a %.
 log=$(printf '%s\n' "$stem" | sed 's/%/%%/g')
 
