@@ -3,7 +3,8 @@
 #     tools/slurm-array.sh reference PARTS OUTPUT.exr SCENE [OPTIONS OF nephrite reference]...
 #     tools/slurm-array.sh sweep PARTS FOLDER FILE [OPTIONS OF nephrite sweep]...
 # With --stderr F.exr the standard errors of a reference are written a part a file and merged, too.
-# Environment: NEPHRITE (the program), SBATCH_* (as sbatch reads them). Give the same line again to continue.
+# Prints the last job's id. If a part fails, Slurm drops that job. Give the same line again to continue.
+# Environment: NEPHRITE (the program), CPUS (of each part; 1), SBATCH_* (as sbatch reads them).
 set -eu
 
 case "${1-}" in reference | sweep) ;; *) set -- ;; esac
@@ -16,6 +17,12 @@ verb=$1
 parts=$2
 output=$3
 shift 3
+case $parts in
+    '' | 0* | *[!0-9]*)
+        echo "$0: PARTS: expected a whole number from 1, found \"$parts\"" >&2
+        exit 2
+        ;;
+esac
 
 # Every job must write files of its own: --stderr becomes ERRORS, and what a job is given by this script is refused.
 errors=
@@ -34,34 +41,46 @@ for argument in "$@"; do
 done
 
 root=$(cd "$(dirname "$0")/.." && pwd)
-export NEPHRITE="${NEPHRITE:-$root/build/release/nephrite}"
-export VERB="$verb" PARTS="$parts" OUTPUT="$output" STEM="${output%.exr}" ERRORS="${errors%.exr}"
+program=${NEPHRITE:-$root/build/release/nephrite}
+if ! command -v "$program" > /dev/null; then
+    echo "$0: $program: there is no such program" >&2
+    exit 1
+fi
+
 case $verb in
-    reference) folder=$(dirname "$output") ;;
-    sweep) folder=$output ;;
+    reference) stem=${output%.exr} folder=$(dirname "$output") ;;
+    sweep) stem=$output/sweep folder=$output ;;
 esac
 mkdir -p "$folder"
+if [ -n "$errors" ]; then mkdir -p "$(dirname "$errors")"; fi
+# Logs are named after the output, so that other pictures of the folder keep theirs. To sbatch, %% is a %.
+log=$(printf '%s\n' "$stem" | sed 's/%/%%/g')
 
-# Arguments reach the jobs as theirs, so names with blanks stay whole.
-array=$(sbatch --parsable --array="1-$parts" --job-name="$verb" --output="$folder/$verb-%a.log" \
-    /dev/stdin "$@" <<'JOB'
+# All that jobs need reaches them as arguments: names with blanks stay whole, and SBATCH_EXPORT=NONE does no harm.
+set -- "$program" "$verb" "$parts" "$output" "$stem" "${errors%.exr}" "$@"
+array=$(sbatch --parsable --array="1-$parts" --cpus-per-task="${CPUS:-1}" --job-name="$verb" \
+    --output="$log.part-%a.log" /dev/stdin "$@" <<'JOB'
 #!/bin/sh
-part=$SLURM_ARRAY_TASK_ID
-if [ "$VERB" = sweep ]; then exec "$NEPHRITE" sweep "$@" --part "$part/$PARTS" -o "$OUTPUT"; fi
-if [ -n "$ERRORS" ]; then set -- "$@" --stderr "$ERRORS.part-$part.exr"; fi
-exec "$NEPHRITE" reference "$@" --threads "${SLURM_CPUS_PER_TASK:-1}" --part "$part/$PARTS" -o "$STEM.part-$part.exr"
+program=$1 verb=$2 part=$SLURM_ARRAY_TASK_ID/$3 output=$4 stem=$5.part-$SLURM_ARRAY_TASK_ID errors=$6
+shift 6
+if [ "$verb" = sweep ]; then exec "$program" sweep "$@" --part "$part" -o "$output"; fi
+if [ -n "$errors" ]; then set -- "$@" --stderr "$errors.part-$SLURM_ARRAY_TASK_ID.exr"; fi
+# More than CPUS where whole nodes are asked for.
+exec "$program" reference "$@" --threads "${SLURM_CPUS_ON_NODE:-1}" --part "$part" -o "$stem.exr"
 JOB
 )
-sbatch --parsable --dependency="afterok:${array%%;*}" --job-name="$verb-merge" \
-    --output="$folder/$verb-merge.log" /dev/stdin "$@" <<'JOB'
+sbatch --parsable --dependency="afterok:${array%%;*}" --kill-on-invalid-dep=yes --job-name="$verb-merge" \
+    --output="$log.merge.log" /dev/stdin "$@" <<'JOB'
 #!/bin/sh
 set -eu
+program=$1 verb=$2 parts=$3 output=$4 picture=$5 errors=$6
+shift 6
 # All runs of a sweep are done: what is left of it are its tables.
-if [ "$VERB" = sweep ]; then exec "$NEPHRITE" sweep "$@" -o "$OUTPUT"; fi
-for stem in "$STEM" "$ERRORS"; do
+if [ "$verb" = sweep ]; then exec "$program" sweep "$@" -o "$output"; fi
+for stem in "$picture" "$errors"; do
     [ -n "$stem" ] || continue
     set --
-    for part in $(seq "$PARTS"); do set -- "$@" "$stem.part-$part.exr"; done
-    "$NEPHRITE" merge "$@" -o "$stem.exr"
+    for part in $(seq "$parts"); do set -- "$@" "$stem.part-$part.exr"; done
+    "$program" merge "$@" -o "$stem.exr"
 done
 JOB

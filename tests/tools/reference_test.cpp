@@ -139,6 +139,8 @@ TEST(ReferenceArray, MergesWhatItsJobsRender) {
     ASSERT_EQ(submit(place, "reference-array.sh", "2 plain.exr " + run), 0);
     EXPECT_EQ(bytesOf(place.path() / "plain.exr"), bytesOf(place.path() / "whole.exr"));
     EXPECT_NE(submit(place, "reference-array.sh", "2 other.exr " + run + "--part 1/2"), 0);
+    EXPECT_NE(submit(place, "reference-array.sh", "2%1 other.exr " + run), 0);
+    EXPECT_THAT(bytesOf(place.path() / "errors"), HasSubstr("PARTS: expected a whole number"));
     EXPECT_FALSE(place.isThere("other.exr"));
 }
 
