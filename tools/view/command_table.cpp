@@ -197,7 +197,6 @@ void capture(Viewer& viewer, const Words& words) {
 void window(Viewer& viewer, const Words& words) {
     requireCount(words, 0, 1, "window [FILE.png]");
     viewer.state().windowCapture = given(words, 0, "window.png");
-    viewer.state().message = "wrote " + viewer.state().windowCapture->string();
 }
 void tab(Viewer& viewer, const Words& words) {
     requireCount(words, 1, 1, "tab timings|skips|graph");

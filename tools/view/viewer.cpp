@@ -216,8 +216,18 @@ void Viewer::present(const std::vector<ShownImage>& images) {
     const auto picture = stage.showAndCapture(images);
     if (!picture) return;
     --pictures_;
-    const std::filesystem::path file = *std::exchange(state_.windowCapture, std::nullopt);
-    attempt([&] { image::writePng(file, *picture); });
+    write(*picture, *std::exchange(state_.windowCapture, std::nullopt));
+}
+
+/// What an earlier change threw is still to be seen, for a picture of the window may be taken to show it.
+void Viewer::write(const image::ByteImage& picture, const std::filesystem::path& file) {
+    try {
+        image::writePng(file, picture);
+        state_.message = "wrote " + file.string();
+        pictures_ = std::max(pictures_, 1U);
+    } catch (const std::exception& error) {
+        faults_.report(linesOf(error));
+    }
 }
 
 void Viewer::updateTitle() {

@@ -63,6 +63,7 @@ class Viewer {
     void draw(VkExtent2D pixels);
     std::vector<ShownImage> shownImages(VkExtent2D pixels) const;
     void present(const std::vector<ShownImage>& images);
+    void write(const image::ByteImage& picture, const std::filesystem::path& file);
     void updateTitle();
 
     WindowLibrary library_;
