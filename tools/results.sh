@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Measures every method of graphs/suites/subsurface.json against its references, and puts the table and the plot into
 # docs/results and README.md, unless scenes or methods were left out. Arguments go to `nephrite bench pareto`. References are
-# kept in out/results/references and used again; the first run takes about two hours on two cores, later ones a quarter of
+# kept in out/results/references and used again; the first run takes about an hour on two cores, later ones a quarter of
 # an hour.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/environment.sh"

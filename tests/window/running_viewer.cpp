@@ -78,6 +78,15 @@ int RunningViewer::waitForEnd() {
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
+std::string RunningViewer::condition() {
+    int status = 0;
+    if (process_ <= 0 || waitpid(process_, &status, WNOHANG) != process_)
+        return "it runs, and has used " + std::to_string(processorSeconds()) + " s";
+    process_ = -1;
+    return WIFEXITED(status) ? "it ended with status " + std::to_string(WEXITSTATUS(status))
+                             : "signal " + std::to_string(WTERMSIG(status)) + " ended it";
+}
+
 double RunningViewer::processorSeconds() const {
     std::istringstream words(textOf("/proc/" + std::to_string(process_) + "/stat"));
     std::string word;

@@ -25,6 +25,8 @@ class RunningViewer {
     std::string errors() const;
     /// Waits for the program's end; its exit status.
     int waitForEnd();
+    /// What has become of the process, for a failure's message.
+    std::string condition();
 
     /// Seconds of processor time so far.
     double processorSeconds() const;

@@ -23,7 +23,7 @@ class ViewerWindow : public testing::Test {
         screen_ = std::make_unique<test::Screen>();
         viewer_ = std::make_unique<test::RunningViewer>();
         window_ = screen_->windowNamed("paper.json - Nephrite");
-        ASSERT_NE(window_, 0U) << viewer_->errors();
+        ASSERT_NE(window_, 0U) << viewer_->condition() << "; " << viewer_->errors();
         ASSERT_EQ(viewer_->tell("frame"), "ok") << viewer_->errors();
         std::this_thread::sleep_for(300ms);  // the window manager is done with it
     }
