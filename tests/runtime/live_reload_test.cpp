@@ -105,6 +105,21 @@ TEST_F(LiveReloadTest, WhatIsWrongIsNamedAndTheLastPictureStays) {
     EXPECT_EQ(valueAt(session, "color", 5, 5), 5) << "and the value that was set is still set";
 }
 
+TEST_F(LiveReloadTest, ALinkToItselfIsAFileThatIsMissing) {
+    Session session(options_);
+    LiveReload live(session);
+    const std::filesystem::path part = folder_.path() / "passes/part.glsl";
+    const Reload wrong = reloadAfter(live, session, [&] {
+        std::filesystem::remove(part);
+        std::filesystem::create_symlink("part.glsl", part);
+    });
+    EXPECT_FALSE(wrong.shown);
+    Reload shown;
+    shown.shown = true;
+    shown.files = {part};
+    EXPECT_THAT(toLines(shown), testing::ElementsAre(HasSubstr("reloaded files in")));
+}
+
 TEST_F(LiveReloadTest, HistoryGoesOn) {
     Session session(options_);
     LiveReload live(session);

@@ -108,6 +108,20 @@ TEST_F(ViewerWindow, NothingTypedIntoItEndsIt) {
     EXPECT_EQ(picture().width, 64U);
     EXPECT_EQ(viewer_->tell("size 96 96"), "ok");
     EXPECT_EQ(picture().pixels, first.pixels);
+    const std::string graph = viewer_->textOf("graphs/paper.json");
+    EXPECT_THAT(viewer_->tell("screenshot graphs/paper.json"), HasSubstr("ends in .png"));
+    EXPECT_THAT(viewer_->tell("window graphs/paper.json"), HasSubstr("ends in .png"));
+    EXPECT_THAT(viewer_->tell("capture graphs/paper.json"), HasSubstr("ends in .exr"));
+    EXPECT_EQ(viewer_->textOf("graphs/paper.json"), graph);
+    quit();
+}
+
+TEST_F(ViewerWindow, CommandsAreAnsweredWhileTimeRuns) {
+    EXPECT_EQ(viewer_->tell("play"), "ok");
+    EXPECT_EQ(viewer_->tell("orbit 0.1 0"), "ok");
+    EXPECT_EQ(viewer_->tell("window playing.png"), "ok");
+    EXPECT_TRUE(std::filesystem::exists(viewer_->folder() / "playing.png"));
+    EXPECT_EQ(viewer_->tell("play"), "ok");
     quit();
 }
 

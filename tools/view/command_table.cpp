@@ -6,6 +6,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 
 #include "graph/controls.h"
 #include "text/diagnostics.h"
@@ -182,21 +183,30 @@ void size(Viewer& viewer, const Words& words) {
 
 // Files and the window.
 
+/// The file that a command names, or `usual`. Another ending is refused: it may be the graph's or the scene's
+/// name.
+std::string pictureFile(const Words& words, const char* usual, std::string_view ending) {
+    const std::string file = given(words, 0, usual);
+    if (std::filesystem::path(file).extension() != ending)
+        refuse(fmt::format("a file's name that ends in {}, found {}", ending, inQuotes(file)));
+    return file;
+}
+
 void screenshot(Viewer& viewer, const Words& words) {
     requireCount(words, 0, 1, "screenshot [FILE.png]");
-    const std::string file = given(words, 0, "picture.png");
+    const std::string file = pictureFile(words, "picture.png", ".png");
     viewer.bench().writePng(file);
     viewer.state().message = "wrote " + file;
 }
 void capture(Viewer& viewer, const Words& words) {
     requireCount(words, 0, 1, "capture [FILE.exr]");
-    const std::string file = given(words, 0, "picture.exr");
+    const std::string file = pictureFile(words, "picture.exr", ".exr");
     viewer.bench().writeExr(file);
     viewer.state().message = "wrote " + file;
 }
 void window(Viewer& viewer, const Words& words) {
     requireCount(words, 0, 1, "window [FILE.png]");
-    viewer.state().windowCapture = given(words, 0, "window.png");
+    viewer.state().windowCapture = pictureFile(words, "window.png", ".png");
 }
 void tab(Viewer& viewer, const Words& words) {
     requireCount(words, 1, 1, "tab timings|skips|graph");

@@ -143,9 +143,10 @@ std::vector<std::string> Viewer::bannerLines() const {
     return lines;
 }
 
-/// The answer to a command comes when its picture is shown, so that who waits for it sees what it did.
+/// The answer to a command comes when its picture is shown, so that who waits for it sees what it did. While
+/// time runs there is always a next picture, and the first few are waited for.
 void Viewer::answerScript() {
-    if (!answers_ || hasWork()) return;
+    if (!answers_ || pictures_ > 0 || (wantsFrame() && !bench_.isPlaying())) return;
     answers_ = false;
     const std::vector<std::string> lines = bannerLines();
     fmt::print("{}\n", lines.empty() ? "ok" : lines.front());

@@ -46,8 +46,10 @@ std::vector<std::string> toLines(const Reload& reload) {
     for (const Diagnostic& fault : reload.faults) lines.push_back(toLine(fault));
     if (!reload.shown) return lines;
     std::string names;
+    std::error_code ignored;  // a link to itself is no file either
     for (const std::filesystem::path& file : reload.files)
-        if (std::filesystem::exists(file)) names += (names.empty() ? "" : ", ") + file.filename().string();
+        if (std::filesystem::exists(file, ignored))
+            names += (names.empty() ? "" : ", ") + file.filename().string();
     const ReloadTimes& times = reload.times;
     lines.push_back(fmt::format(
         "reloaded {} in {:.0f} ms (noticed {:.0f}, read {:.0f}, compiled {:.0f}, swapped {:.0f}), "

@@ -28,8 +28,10 @@ void bar(float value, float most, const ImVec4& color) {
 void history(const char* id, const std::vector<float>& values, const ImVec4& color, float height) {
     ImGui::PushStyleColor(ImGuiCol_PlotLines, color);
     const float most = values.empty() ? 1 : *std::max_element(values.begin(), values.end());
+    // ImGui 1.86 takes a width below 0 as it is, and draws nothing.
+    const ImVec2 size{std::max(ImGui::GetContentRegionAvail().x, 1.0F), height};
     ImGui::PlotLines(id, values.data(), static_cast<int>(values.size()), 0, nullptr, 0, std::max(most, 1e-3F),
-                     {-1, height});
+                     size);
     ImGui::PopStyleColor();
 }
 
