@@ -77,8 +77,9 @@ class Reader {
     bool allowed(double length) const { return length >= shortestLength && length <= longestLength; }
 
     void refuse(const json::Value& value, std::string_view key) {
-        object_.diagnostics().error(value.where(), fmt::format("\"{}\" must be from {:g} to {:g}, found {}",
-                                                               key, shortestLength, longestLength, value.sourceText()));
+        object_.diagnostics().error(
+            value.where(), fmt::format("\"{}\" must be from {:g} to {:g}, found {}", key, shortestLength,
+                                       longestLength, value.sourceText()));
     }
 
     float length(std::string_view key, double fallback) {
