@@ -69,6 +69,13 @@ std::pair<std::string, std::string> splitAssignment(const std::string& option, c
     return {text.substr(0, equals), text.substr(equals + 1)};
 }
 
+void GraphArguments::requireOther(const std::filesystem::path& output) const {
+    std::error_code missing;  // a file that is not there yet is another one
+    for (const std::filesystem::path& input : {graph, scene})
+        if (!output.empty() && !input.empty() && std::filesystem::equivalent(output, input, missing))
+            throw InputError({output.string()}, "this file is read, and would be overwritten");
+}
+
 truth::Part partOf(const std::string& text) {
     const auto part = truth::parsePart(text);
     if (!part)

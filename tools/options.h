@@ -32,6 +32,8 @@ struct GraphArguments {
     void addTo(CLI::App& verb);
     /// See pictureSize.
     graph::Extent extent() const { return pictureSize(size); }
+    /// Throws InputError if the output is the graph's or the scene's file, which would be lost.
+    void requireOther(const std::filesystem::path& output) const;
 };
 
 /// `I/N` of --part. Throws InputError unless 1 <= I <= N <= 1000000.

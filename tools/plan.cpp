@@ -130,6 +130,7 @@ std::string contents(const PlanArguments& arguments, const PlanFormat& format, c
 
 void writePlan(const PlanArguments& arguments) {
     const PlanFormat& format = formatOf(arguments.output);
+    arguments.graph.requireOther(arguments.output);
     const auto folders = runtime::DataFolders::find();
     const auto loaded = runtime::loadGraph(arguments.graph.graph, arguments.graph.settings, folders,
                                            arguments.graph.passPaths);

@@ -92,6 +92,7 @@ std::vector<Target> targetsOf(const RenderArguments& arguments) {
         targets.push_back({port, image::FrameName(file)});
     }
     requireDistinctFiles(targets, arguments.timings);
+    arguments.graph.requireOther(arguments.timings);
     return targets;
 }
 

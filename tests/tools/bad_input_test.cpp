@@ -125,6 +125,19 @@ TEST_F(BadInput, Sizes) {
     }
 }
 
+TEST_F(BadInput, WhatIsReadIsNotWrittenOver) {
+    std::filesystem::copy_file(std::filesystem::path(NEPHRITE_SOURCE_DIR) / "graphs/gbuffer.json",
+                               place_.path() / "g.json");
+    const auto size = std::filesystem::file_size(place_.path() / "g.json");
+    for (const std::string arguments :
+         {"plan g.json -o g.json", "render g.json --size 8x8 --timings ./g.json"}) {
+        const Answer answer = place_.run(arguments);
+        EXPECT_EQ(answer.status, 2) << arguments;
+        EXPECT_THAT(answer.errors, HasSubstr("g.json: error: this file is read"));
+        EXPECT_EQ(std::filesystem::file_size(place_.path() / "g.json"), size);
+    }
+}
+
 TEST_F(BadInput, CommandLine) {
     EXPECT_THAT(place_.run("rendr").errors, HasSubstr("did you mean \"render\"?"));
     EXPECT_EQ(
