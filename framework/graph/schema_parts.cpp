@@ -33,7 +33,7 @@ Json::Value sizeSchema(Json::Value like) {
     Json::Value scale = json::numberSchema(0, largestScale);
     scale["exclusiveMinimum"] = true;
     const Json::Value one = json::schemaFragment(R"({"enum": [true]})");
-    return json::anyOf({json::arraySchema(json::schemaFragment(R"({"$ref": "#/definitions/side"})"), 2),
+    return json::anyOf({json::arraySchema(json::definition("side"), 2),
                         singleKeySchema("scale", expressionSchema(json::anyOf({std::move(scale), one}))),
                         singleKeySchema("like", std::move(like))});
 }

@@ -15,6 +15,7 @@
 #include "scene/scene.h"
 #include "scene/scene_description.h"
 #include "scene/scene_schema.h"
+#include "scene/scene_support.h"
 #include "schema/mutations.h"
 #include "schema/validator.h"
 #include "sweep/sweep.h"
@@ -54,16 +55,10 @@ Reading readGraphFile(const json::Value& value) {
     return reading;
 }
 
-std::vector<std::string> linesOf(const Diagnostics& diagnostics) {
-    std::vector<std::string> lines;
-    for (const Diagnostic& fault : diagnostics.errors()) lines.push_back(toLine(fault));
-    return lines;
-}
-
 Reading readPassFile(const json::Value& value) {
     Diagnostics diagnostics;
     graph::readPassType(value, "p", diagnostics);
-    return {linesOf(diagnostics), {}};
+    return {scene::test::errorLines(diagnostics), {}};
 }
 
 /// Shapes are read when they are made, which takes a while: once for each that is asked for.
@@ -73,14 +68,14 @@ const std::vector<std::string>& faultsOfShape(const json::Value& shape) {
     if (found != known.end()) return found->second;
     Diagnostics diagnostics;
     scene::readProcedural(shape, diagnostics);
-    return known.emplace(shape.sourceText(), linesOf(diagnostics)).first->second;
+    return known.emplace(shape.sourceText(), scene::test::errorLines(diagnostics)).first->second;
 }
 
 Reading readSceneFile(const json::Value& value) {
-    const std::filesystem::path presets = std::filesystem::path(NEPHRITE_SOURCE_DIR) / "graphs/materials";
     Diagnostics diagnostics;
-    const scene::SceneDescription scene = scene::readScene(value, {presets, 0, "models"}, diagnostics);
-    Reading reading{linesOf(diagnostics), {}};
+    const scene::SceneDescription scene =
+        scene::readScene(value, {scene::test::presetFolder, 0, "models"}, diagnostics);
+    Reading reading{scene::test::errorLines(diagnostics), {}};
     for (const scene::ObjectDescription& object : scene.objects) {
         if (!object.mesh.procedural) continue;
         const std::vector<std::string>& faults = faultsOfShape(*object.mesh.procedural);
