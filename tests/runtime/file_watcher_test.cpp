@@ -6,6 +6,7 @@
 #include <chrono>
 #include <fstream>
 #include <future>
+#include <thread>
 #include <utility>
 
 #include "scratch_folder.h"
@@ -24,12 +25,13 @@ class FileWatcherTest : public testing::Test {
   protected:
     FileWatcherTest() { watcher_.watch({file_}, false); }
 
-    /// What is saved while `work` is done. Nothing within a quarter of a second: an empty list.
+    /// What is saved while `work` is done. Nothing within `most`, by default a quarter of a second: an empty
+    /// list.
     template<class Work>
-    std::vector<path> savedBy(Work work) {
+    std::vector<path> savedBy(Work work, std::chrono::milliseconds most = 250ms) {
         auto waiting = std::async(std::launch::async, [&] { return watcher_.wait(); });
         work();
-        if (waiting.wait_for(250ms) != std::future_status::ready) watcher_.interrupt();
+        if (waiting.wait_for(most) != std::future_status::ready) watcher_.interrupt();
         return waiting.get();
     }
 
@@ -80,13 +82,61 @@ TEST_F(FileWatcherTest, ABurstIsFewChangesAndTheLastIsAmongThem) {
 
 TEST_F(FileWatcherTest, WritingWithoutClosing) {
     std::ofstream open(file_, std::ios::app);
-    EXPECT_THAT(savedBy([&] { open << "more" << std::flush; }), ElementsAre(file_));
+    EXPECT_THAT(savedBy([&] { open << "more" << std::flush; }, 1s), ElementsAre(file_));
+}
+
+TEST_F(FileWatcherTest, WhatIsSavedBesideAFileThatIsBeingWrittenWaitsForIt) {
+    const path other = folder_.write("b.json", "{}");
+    watcher_.watch({file_, other}, false);
+    std::ofstream slow;
+    EXPECT_THAT(savedBy(
+                    [&] {
+                        slow.open(file_);
+                        slow << "half" << std::flush;
+                        std::ofstream(other) << "[]";
+                    },
+                    50ms),
+                IsEmpty());
+    EXPECT_THAT(savedBy([&] {
+                    slow << " and half" << std::flush;
+                    slow.close();
+                }),
+                ElementsAre(file_, other));
+}
+
+TEST_F(FileWatcherTest, AFileThatIsWrittenForLongDoesNotHoldTheOthersBackForEver) {
+    const path other = folder_.write("b.json", "{}");
+    watcher_.watch({file_, other}, false);
+    std::ofstream slow(file_);
+    EXPECT_THAT(savedBy(
+                    [&] {
+                        std::ofstream(other) << "[]";
+                        for (int i = 0; i < 50; ++i) {
+                            slow << i << std::flush;
+                            std::this_thread::sleep_for(50ms);
+                        }
+                    },
+                    0ms),
+                Contains(other));
 }
 
 TEST_F(FileWatcherTest, OtherFilesBesideItDoNotCountButSourcesThatCome) {
     EXPECT_THAT(savedBy([&] { folder_.write("picture.png", "x"); }), IsEmpty());
     const path fresh = folder_.path() / "new.json";
     EXPECT_THAT(savedBy([&] { std::ofstream(fresh) << "{}"; }), Contains(fresh));
+}
+
+TEST_F(FileWatcherTest, ALogThatStaysOpenHoldsNothingBack) {
+    std::ofstream log(folder_.path() / "log");
+    watcher_.watch({file_}, true);
+    EXPECT_THAT(savedBy(
+                    [&] {
+                        log << "a line" << std::flush;
+                        std::ofstream(file_) << "two";
+                        std::this_thread::sleep_for(100ms);
+                    },
+                    0ms),
+                Contains(file_));
 }
 
 TEST_F(FileWatcherTest, AFileThatIsNotThereYet) {
@@ -104,7 +154,7 @@ TEST_F(FileWatcherTest, TheFileALinkLeadsTo) {
     const path link = folder_.path() / "link.glsl";
     std::filesystem::create_symlink(target, link);
     watcher_.watch({link}, false);
-    EXPECT_THAT(savedBy([&] { std::ofstream(target) << "two"; }), ElementsAre(target));
+    EXPECT_THAT(savedBy([&] { std::ofstream(target) << "two"; }), Contains(target));
 }
 
 TEST_F(FileWatcherTest, WhatIsSavedBetweenWaitsIsNotLost) {

@@ -18,9 +18,10 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr milliseconds afterSaving{6};    // another file of the same burst would have come
-constexpr milliseconds afterWriting{60};  // who writes and does not close is taken as done
-constexpr milliseconds longestBurst{200};
+constexpr milliseconds afterSaving{6};      // another file of the same burst would have come
+constexpr milliseconds afterWriting{200};   // who writes and does not close is taken as done
+constexpr milliseconds longestBurst{200};   // of files each of which is whole
+constexpr milliseconds longestWrite{2000};  // of a file that is not, while others are
 constexpr milliseconds betweenLooks{1000};
 
 constexpr unsigned savedEvents = IN_CLOSE_WRITE | IN_MOVED_TO | IN_MOVED_FROM | IN_DELETE;
@@ -94,19 +95,22 @@ void FileWatcher::watch(const std::vector<std::filesystem::path>& files, bool an
     for (const std::filesystem::path& folder : folders) addFolder(folder);
 }
 
+/// A file that somebody is writing holds back what was saved beside it: reading all would read half of that
+/// one.
 std::vector<std::filesystem::path> FileWatcher::wait() {
     Clock::time_point first{};
     while (true) {
         milliseconds most = betweenLooks;
         if (!saved_.empty()) most = afterSaving;
-        if (saved_.empty() && !beingWritten_.empty()) most = afterWriting;
+        if (!beingWritten_.empty()) most = afterWriting;
         if (!waitForEvents(most)) return {};
         const bool quiet = !std::exchange(heard_, false);
-        if (quiet && saved_.empty()) saved_.swap(beingWritten_);
+        if (quiet) saved_.merge(std::exchange(beingWritten_, {}));
         if (quiet && saved_.empty()) lookAtStamps();
         if (saved_.empty()) continue;
         if (first == Clock::time_point{}) first = Clock::now();
-        if (quiet || Clock::now() - first > longestBurst) break;
+        const milliseconds longest = beingWritten_.empty() ? longestBurst : longestWrite;
+        if (quiet || Clock::now() - first > longest) break;
     }
     for (const std::filesystem::path& file : saved_)
         if (const auto known = files_.find(file); known != files_.end()) known->second = stampOf(file);
@@ -148,7 +152,9 @@ void FileWatcher::readEvents() {
 void FileWatcher::note(const std::filesystem::path& file, unsigned what) {
     if (!matters(file, what)) return;
     heard_ = true;
-    if ((what & savedEvents) != 0) {
+    std::error_code ignored;
+    const bool isWhole = (what & IN_ISDIR) != 0 || std::filesystem::is_symlink(file, ignored);
+    if (isWhole || (what & savedEvents) != 0) {
         saved_.insert(file);
         beingWritten_.erase(file);
     } else {
@@ -156,11 +162,13 @@ void FileWatcher::note(const std::filesystem::path& file, unsigned what) {
     }
 }
 
+/// A file that nobody reads counts when it is whole: it may be a log that is written for ever.
 bool FileWatcher::matters(const std::filesystem::path& file, unsigned what) const {
-    if (anything_ || files_.contains(file)) return true;
+    if (files_.contains(file) || beingWritten_.contains(file)) return true;
     constexpr unsigned comesOrGoes = IN_CREATE | IN_MOVED_TO | IN_MOVED_FROM | IN_DELETE;
     const bool isFolderOfOne = (what & IN_ISDIR) != 0;
-    return (what & comesOrGoes) != 0 && (isFolderOfOne || isSource(file));
+    if ((what & comesOrGoes) != 0 && (isFolderOfOne || isSource(file))) return true;
+    return anything_ && (what & savedEvents) != 0;
 }
 
 void FileWatcher::lookAtStamps() {
