@@ -23,17 +23,22 @@ std::size_t endOfWord(std::string_view text, std::size_t at) {
     while (at < text.size() && isWordCharacter(text[at])) ++at;
     return at;
 }
-std::size_t skipSpace(std::string_view text, std::size_t at) {
-    while (at < text.size() && isSpace(text[at])) ++at;
-    return at;
-}
-
 /// The comment that starts at `at`, or nothing.
 std::size_t endOfComment(std::string_view text, std::size_t at) {
     if (text.substr(at, 2) == "//") return std::min(text.find('\n', at), text.size());
     if (text.substr(at, 2) == "/*") {
         const std::size_t end = text.find("*/", at + 2);
         return end == std::string_view::npos ? text.size() : end + 2;
+    }
+    return at;
+}
+
+/// Past spaces, line ends and comments.
+std::size_t skipBlank(std::string_view text, std::size_t at) {
+    while (at < text.size()) {
+        const std::size_t next = isSpace(text[at]) ? at + 1 : endOfComment(text, at);
+        if (next == at) break;
+        at = next;
     }
     return at;
 }
@@ -65,23 +70,24 @@ std::string PortCalls::rewrite(std::string_view source) const {
         }
         const std::size_t wordEnd = endOfWord(source, at);
         const std::string_view word = source.substr(at, wordEnd - at);
-        const std::size_t open = skipSpace(source, wordEnd);
+        const std::size_t open = skipBlank(source, wordEnd);
         const bool isMember = !result.empty() && result.back() == '.';
         if (isMember || std::find(portFunctions.begin(), portFunctions.end(), word) == portFunctions.end() ||
             open >= source.size() || source[open] != '(') {
             copyTo(wordEnd);
             continue;
         }
-        const std::size_t portStart = skipSpace(source, open + 1);
+        const std::size_t portStart = skipBlank(source, open + 1);
         const std::size_t portEnd = endOfWord(source, portStart);
-        const std::size_t next = skipSpace(source, portEnd);
+        const std::size_t next = skipBlank(source, portEnd);
         const std::string_view port = source.substr(portStart, portEnd - portStart);
         const bool endsArgument = next < source.size() && (source[next] == ',' || source[next] == ')');
         if (!endsArgument || !std::binary_search(ports_.begin(), ports_.end(), port)) {
             copyTo(wordEnd);
             continue;
         }
-        // What stood between the tokens (spaces, line ends) stays, so that lines keep their numbers.
+        // What stood between the tokens (spaces, comments, line ends) stays, so that lines keep their
+        // numbers.
         result.append(word).append("_").append(port);
         result.append(source.substr(wordEnd, portStart - wordEnd));
         result.append(source.substr(portEnd, next - portEnd));

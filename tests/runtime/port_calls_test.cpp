@@ -41,6 +41,13 @@ TEST(PortCalls, LeavesCommentsAlone) {
     EXPECT_EQ(rewritten("/* load(normal, p) */"), "/* load(normal, p) */");
 }
 
+TEST(PortCalls, SeesAPortBehindComments) {
+    EXPECT_EQ(rewritten("store(/* where */ color, p, c)"), "store_color(/* where */  p, c)");
+    EXPECT_EQ(rewritten("load /* it */ (normal /* of the surface */, p)"),
+              "load_normal /* it */ ( /* of the surface */ p)");
+    EXPECT_EQ(rewritten("load(// from\n normal, p)"), "load_normal(// from\n  p)");
+}
+
 TEST(PortCalls, AcceptsUnfinishedText) {
     for (const std::string source : {"load(", "load(normal", "/* load(normal", "//", "load( normal"})
         EXPECT_EQ(rewritten(source), source);
