@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "scene/shader_interface.h"
 
 namespace nephrite::runtime {
@@ -33,19 +35,49 @@ gpu::ShaderSource authorStage(const ProgramContext& context, const graph::PassTy
     return source;
 }
 
-std::string_view entryPointOf(graph::PassKind kind) {
+/// The function in which the author's part of a pass begins.
+struct EntryFunction {
+    std::string_view name;
+    std::string_view declaration;
+};
+
+EntryFunction entryFunctionOf(graph::PassKind kind) {
     switch (kind) {
         case graph::PassKind::Pixel:
-            return "void pixel(ivec2 p)";
+            return {"pixel", "void pixel(ivec2 p)"};
         case graph::PassKind::Raster:
-            return "void fragment(Fragment f)";
+            return {"fragment", "void fragment(Fragment f)"};
         default:
-            return "void compute(uvec3 id)";
+            return {"compute", "void compute(uvec3 id)"};
     }
 }
 
-/// A fault in generated text is the author's all the same: the entry point is missing, or main() is there
-/// twice.
+/// The line of the last character that is not blank.
+SourceLocation endOf(const std::filesystem::path& shader, FileTexts& files) {
+    const std::string* text = files.read(shader);
+    const std::string_view shown = text == nullptr ? std::string_view() : *text;
+    const std::size_t last = shown.find_last_not_of(" \t\r\n");
+    if (last == std::string_view::npos) return {shader.string(), 1, 1};
+    const auto line = std::count(shown.begin(), shown.begin() + static_cast<std::ptrdiff_t>(last), '\n') + 1;
+    const std::size_t start = shown.rfind('\n', last);
+    const std::size_t column = last - (start == std::string_view::npos ? 0 : start + 1) + 1;
+    return {shader.string(), static_cast<std::uint32_t>(line), static_cast<std::uint32_t>(column)};
+}
+
+/// A fault in generated text is the author's all the same: the entry function is missing, a bracket is still
+/// open where their text ends, or main() is there twice.
+Diagnostic asAuthorsFault(const Diagnostic& fault, const graph::PassType& type,
+                          const std::filesystem::path& shader, FileTexts& files) {
+    const EntryFunction entry = entryFunctionOf(type.kind);
+    if (fault.message.starts_with(fmt::format("'{}'", entry.name)))
+        return {{shader.string(), 1, 1},
+                fmt::format("there is no {}, in which a {} pass begins", entry.declaration,
+                            graph::name(type.kind))};
+    return {endOf(shader, files),
+            fmt::format("behind the end of this file: {} (a {} pass defines {} and no main)", fault.message,
+                        graph::name(type.kind), entry.declaration)};
+}
+
 gpu::CompiledShader compileAuthorStage(const ProgramContext& context, const graph::Plan& plan,
                                        const graph::PlannedPass& pass, const NodeInterface& interface,
                                        FileTexts& files) {
@@ -55,12 +87,8 @@ gpu::CompiledShader compileAuthorStage(const ProgramContext& context, const grap
         return context.compiler.compile(authorStage(context, type, shader, interface, files), files);
     } catch (const InputError& error) {
         std::vector<Diagnostic> faults = error.faults();
-        for (Diagnostic& fault : faults) {
-            if (!fault.where.file.ends_with("(generated)")) continue;
-            fault = {{shader.string()},
-                     fmt::format("{} (a {} pass defines {} and no main)", fault.message,
-                                 graph::name(type.kind), entryPointOf(type.kind))};
-        }
+        for (Diagnostic& fault : faults)
+            if (fault.where.file.ends_with("(generated)")) fault = asAuthorsFault(fault, type, shader, files);
         throw InputError(std::move(faults));
     }
 }

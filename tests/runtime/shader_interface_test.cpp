@@ -145,14 +145,24 @@ TEST_P(ShaderInterface, TakesBuffersWithoutElementsAndVeryLongOnes) {
 }
 
 TEST_P(ShaderInterface, MissingEntryPointsAreTheAuthorsFault) {
-    addPass("empty", "pixel", color, "// nothing here\n");
-    try {
-        render(R"("node": {"pass": "empty"})", "node.color");
-        FAIL() << "a shader without pixel() was accepted";
-    } catch (const InputError& error) {
-        EXPECT_EQ(error.faults()[0].where.file, (folder_.path() / "passes/empty.glsl").string());
-        EXPECT_NE(error.faults()[0].message.find("void pixel(ivec2 p)"), std::string::npos);
+    const std::string nodes = R"("node": {"pass": "empty"})";
+    const auto fault = [&](const std::string& shader) {
+        addPass("empty", "pixel", color, shader);
+        try {
+            render(nodes, "node.color");
+        } catch (const InputError& error) {
+            return error.faults().front();
+        }
+        return Diagnostic{};
+    };
+    const std::string file = (folder_.path() / "passes/empty.glsl").string();
+    for (const std::string shader : {"// nothing here\n", ""}) {
+        const Diagnostic missing = fault(shader);
+        EXPECT_EQ(missing.where, (SourceLocation{file, 1, 1}));
+        EXPECT_EQ(missing.message, "there is no void pixel(ivec2 p), in which a pixel pass begins");
     }
+    const Diagnostic open = fault("void pixel(ivec2 p) {\n    if (p.x > 0) {\n  }\n\n");
+    EXPECT_EQ(open.where, (SourceLocation{file, 3, 3})) << open.message;
 }
 
 TEST_P(ShaderInterface, KeepsUnsignedIntegersExact) {
