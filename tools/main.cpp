@@ -6,20 +6,15 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <new>
 
 #include "text/diagnostics.h"
+#include "text/fault_lines.h"
 #include "verbs.h"
 
 namespace {
 
 void printLine(std::string_view line) {
     fmt::print(stderr, "{}\n", line);
-}
-
-/// Failures that name no file of their own are the program's.
-std::string withSubject(const std::string& message) {
-    return message.find(": error: ") == std::string::npos ? "nephrite: error: " + message : message;
 }
 
 std::vector<std::string> verbNames(const CLI::App& app) {
@@ -45,15 +40,9 @@ int run(const nephrite::tools::Action& action) {
         if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
             throw nephrite::RunError("standard output: error: cannot be written");
         return 0;
-    } catch (const nephrite::InputError& error) {
-        for (const auto& fault : error.faults()) printLine(nephrite::toLine(fault));
-        return 2;
-    } catch (const std::bad_alloc&) {
-        printLine("nephrite: error: out of memory");
-        return 1;
     } catch (const std::exception& error) {
-        printLine(withSubject(error.what()));
-        return 1;
+        for (const std::string& line : nephrite::linesOf(error)) printLine(line);
+        return dynamic_cast<const nephrite::InputError*>(&error) != nullptr ? 2 : 1;
     }
 }
 

@@ -1,5 +1,6 @@
 // `nephrite plan`: what a graph will do for a scene, without rendering it.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <array>
 #include <cstdio>
@@ -13,6 +14,7 @@
 #include "plan_measurement.h"
 #include "runtime/graph_loading.h"
 #include "runtime/imports.h"
+#include "text/fault_lines.h"
 #include "verbs.h"
 
 namespace nephrite::tools {
@@ -47,13 +49,6 @@ runtime::SessionOptions sessionOptions(const PlanArguments& arguments) {
     return options;
 }
 
-/// Every fault of an error, a line each.
-std::string linesOf(const InputError& error) {
-    std::string lines;
-    for (const Diagnostic& fault : error.faults()) lines += (lines.empty() ? "" : "\n") + toLine(fault);
-    return lines;
-}
-
 /// The page, with times and pictures. Where the graph cannot be rendered it has none, and says why; so does a
 /// warning. If a device was asked for by name that is an error.
 std::string planWithPictures(const PlanArguments& arguments, const graph::Plan& plan) {
@@ -63,12 +58,9 @@ std::string planWithPictures(const PlanArguments& arguments, const graph::Plan& 
     std::string reason;
     try {
         return measuredPage(sessionOptions(arguments));
-    } catch (const InputError& error) {
+    } catch (const std::exception& error) {
         if (!arguments.device.empty()) throw;
-        reason = linesOf(error);
-    } catch (const RunError& error) {
-        if (!arguments.device.empty()) throw;
-        reason = error.what();
+        reason = fmt::format("{}", fmt::join(linesOf(error), "\n"));
     }
     fmt::print(stderr, "{}: warning: without times and pictures: {}\n", arguments.output.string(), reason);
     none.note += "\n" + reason;

@@ -10,6 +10,7 @@
 #include <span>
 
 #include "commit.h"
+#include "gpu/device.h"
 #include "image/exr.h"
 #include "image/frame_name.h"
 #include "image/output_file.h"
@@ -20,6 +21,7 @@
 #include "runtime/exposure.h"
 #include "runtime/reload/live_reload.h"
 #include "runtime/session.h"
+#include "text/fault_lines.h"
 #include "timings/report.h"
 #include "verbs.h"
 
@@ -226,6 +228,17 @@ void renderAnew(const RenderArguments& arguments, const std::vector<Target>& tar
     if (!arguments.timings.empty()) timings::write(arguments.timings, report);
 }
 
+/// What could not be rendered or written now may be after the next save; not so when the device is at fault.
+void attemptAnew(const RenderArguments& arguments, const std::vector<Target>& targets,
+                 runtime::Session& session, timings::Report& report) {
+    try {
+        renderAnew(arguments, targets, session, report);
+    } catch (const std::exception& error) {
+        if (session.device().lost() || session.device().validationMessages() != 0) throw;
+        for (const std::string& line : linesOf(error)) fmt::print(stderr, "{}\n", line);
+    }
+}
+
 /// Renders anew whenever a file is saved, until it is interrupted.
 void keepRendering(const RenderArguments& arguments, const std::vector<Target>& targets,
                    runtime::Session& session, timings::Report& report) {
@@ -241,11 +254,7 @@ void keepRendering(const RenderArguments& arguments, const std::vector<Target>& 
                                 fmt::format("{}", fmt::join(lines, "; "))});
         if (!saved->shown) continue;
         printWarnings(session);
-        try {
-            renderAnew(arguments, targets, session, report);
-        } catch (const InputError& error) {
-            for (const Diagnostic& fault : error.faults()) fmt::print(stderr, "{}\n", toLine(fault));
-        }
+        attemptAnew(arguments, targets, session, report);
     }
 }
 

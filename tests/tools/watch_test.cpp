@@ -77,6 +77,23 @@ TEST_F(Watch, MarksReloadsInTheTrace) {
     EXPECT_EQ(program.interrupt(), 0);
 }
 
+TEST_F(Watch, AnOutputThatCannotBeWrittenIsNamedAndTriedAgainAtTheNextSave) {
+    std::filesystem::create_directory(place_.path() / "out");
+    std::vector<std::string> words = arguments();
+    words.insert(words.end(), {"--dump", "flat.color=out/dump.exr"});
+    Running program(place_.path(), words);
+    const std::filesystem::path dump = place_.path() / "out" / "dump.exr";
+    EXPECT_TRUE(comesTrue([&] { return std::filesystem::exists(dump); })) << program.log();
+    std::filesystem::rename(place_.path() / "out", place_.path() / "moved");
+    writeShader("2.0");
+    EXPECT_TRUE(comesTrue([&] { return program.log().find("out/dump.exr: error: ") != std::string::npos; }))
+        << program.log();
+    std::filesystem::create_directory(place_.path() / "out");
+    writeShader("3.0");
+    EXPECT_TRUE(comesTrue([&] { return std::filesystem::exists(dump); })) << program.log();
+    EXPECT_EQ(program.interrupt(), 0);
+}
+
 TEST_F(Watch, AGraphWithoutThePictureIsNamedAndGoesOn) {
     Running program(place_.path(), arguments());
     EXPECT_TRUE(comesTrue([&] { return value() == 1; }));

@@ -1,15 +1,11 @@
 // What is wrong, for the banner over the picture and for stderr: nothing a user does ends the program.
 #pragma once
 
-#include <exception>
 #include <functional>
 #include <string>
 #include <vector>
 
 namespace nephrite::view {
-
-/// The lines of an exception, as the program prints them.
-std::vector<std::string> linesOf(const std::exception& error);
 
 class FaultList {
   public:

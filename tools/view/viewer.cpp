@@ -10,6 +10,7 @@
 
 #include "gpu/device.h"
 #include "image/png.h"
+#include "text/fault_lines.h"
 #include "view/commands.h"
 #include "view/mouse.h"
 #include "view/panels/panels.h"
