@@ -33,14 +33,14 @@ void GraphArguments::addTo(CLI::App& verb) {
     verb.add_option("--pass-path", passPaths, "Another folder of pass manifests")->expected(1)->take_all();
 }
 
-graph::Extent pictureSize(const std::string& text) {
+graph::Extent pictureSize(const std::string& text, const std::string& option) {
     const std::size_t cross = text.find('x');
     const auto width = side(std::string_view(text).substr(0, cross));
     const auto height =
         cross == std::string::npos ? std::nullopt : side(std::string_view(text).substr(cross + 1));
     if (!width || !height)
-        throw InputError({"--size"}, fmt::format("expected WIDTHxHEIGHT, each from 1 to {}, found \"{}\"",
-                                                 largestSide, text));
+        throw InputError({option}, fmt::format("expected WIDTHxHEIGHT, each from 1 to {}, found \"{}\"",
+                                               largestSide, text));
     return {*width, *height};
 }
 

@@ -15,7 +15,7 @@
 namespace nephrite::tools {
 
 /// Width and height of "WxH". Throws InputError unless both are whole numbers from 1 to 16384.
-graph::Extent pictureSize(const std::string& text);
+graph::Extent pictureSize(const std::string& text, const std::string& option = "--size");
 
 /// Refuses a value of an option that is no whole number from `least` to `most`. CLI11's own conversion takes
 /// -1 for 2^64 - 1, and every number that is too large for the same.

@@ -1,6 +1,8 @@
 // `nephrite view`: a graph in a window.
 #include "view/viewer.h"
 
+#include <fmt/format.h>
+
 #include "options.h"
 #include "verbs.h"
 
@@ -16,8 +18,16 @@ struct ViewArguments {
     std::filesystem::path script;
 };
 
+graph::Extent windowSize(const std::string& text) {
+    const graph::Extent size = pictureSize(text, "--window");
+    if (size.width < view::leastWindowWidth || size.height < view::leastWindowHeight)
+        throw InputError({"--window"}, fmt::format("expected at least {}x{}, found \"{}\"",
+                                                   view::leastWindowWidth, view::leastWindowHeight, text));
+    return size;
+}
+
 void view(const ViewArguments& arguments) {
-    const graph::Extent window = pictureSize(arguments.window);
+    const graph::Extent window = windowSize(arguments.window);
     view::ViewerOptions options;
     options.session.graph = arguments.graph.graph;
     options.session.scene = arguments.graph.scene;

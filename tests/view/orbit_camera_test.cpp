@@ -80,12 +80,26 @@ TEST(OrbitCamera, AStepNearerIsATenthOfTheDistance) {
     expectNear(camera.description().position, {0, 0, 36});
     camera.approach(-1);
     expectNear(camera.description().position, {0, 0, 40});
-    camera.approach(1e6);  // as near as can be, and no nearer
-    EXPECT_GT(camera.description().position.z, 0);
+    camera.approach(1e30);  // as near as can be, and no nearer
+    EXPECT_NEAR(camera.description().position.z, 40e-6, 1e-12);
     EXPECT_LT(camera.description().near, camera.description().position.z);
-    camera.approach(-1e6);
-    EXPECT_TRUE(std::isfinite(camera.description().position.z));
+    camera.approach(-1e30);
+    EXPECT_NEAR(camera.description().position.z, 40e6, 1e-3);
     EXPECT_GT(camera.description().far, camera.description().position.z);
+}
+
+TEST(OrbitCamera, FramingHealsTheDepthRange) {
+    const scene::EnclosingSphere sphere{{0, 0, 0}, 10};
+    OrbitCamera untouched(lookingAlongZ());
+    untouched.frame(sphere, 100, 100);
+    for (const double steps : {60.0, 1e30, -1e30}) {
+        OrbitCamera camera(lookingAlongZ());
+        camera.approach(steps);
+        camera.frame(sphere, 100, 100);
+        expectNear(camera.description().position, untouched.description().position);
+        EXPECT_EQ(camera.description().near, untouched.description().near);
+        EXPECT_EQ(camera.description().far, untouched.description().far);
+    }
 }
 
 TEST(OrbitCamera, AFramedSphereTouchesTheEdges) {

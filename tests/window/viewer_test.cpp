@@ -33,11 +33,6 @@ class ViewerWindow : public testing::Test {
         EXPECT_EQ(viewer_->tell("capture now.exr"), "ok");
         return image::readExr(viewer_->folder() / "now.exr").image;
     }
-    /// The same while a file may be wrong, which is then the answer to every command.
-    image::Image pictureWhileEditing() {
-        viewer_->tell("capture now.exr");
-        return image::readExr(viewer_->folder() / "now.exr").image;
-    }
     static double meanOf(const image::Image& image) {
         double sum = 0;
         for (const float value : image.pixels) sum += static_cast<double>(value);
@@ -101,6 +96,13 @@ TEST_F(ViewerWindow, NothingTypedIntoItEndsIt) {
     EXPECT_THAT(viewer_->tell("set nothing=1"), HasSubstr("the graph has no parameter \"nothing\""));
     EXPECT_THAT(viewer_->tell("swap dipole gbuffer"), Not("ok"));
     EXPECT_THAT(viewer_->tell("show no.where"), Not("ok"));
+    EXPECT_THAT(viewer_->tell("level 1"), HasSubstr("it has no level but 0"));
+    EXPECT_THAT(viewer_->tell("layer 1"), HasSubstr("it has no layer but 0"));
+    EXPECT_THAT(viewer_->tell("reset dipole.nothing"), HasSubstr("has no parameter \"nothing\""));
+    EXPECT_THAT(viewer_->tell("set dipole.taps=oops"), StartsWith("set dipole.taps=oops: error: "));
+    EXPECT_THAT(viewer_->tell("set taps=0"), StartsWith("set taps=0: error: "));
+    EXPECT_THAT(viewer_->tell("set dipole.taps=0"), StartsWith("set dipole.taps=0: error: "));
+    EXPECT_THAT(viewer_->tell("orbit x y"), HasSubstr("found \"x\""));
     EXPECT_THAT(viewer_->tell("reference missing.exr"), HasSubstr("missing.exr"));
     EXPECT_THAT(viewer_->tell("orbitt 1 1"), HasSubstr("did you mean \"orbit\"?"));
     EXPECT_THAT(viewer_->tell("set taps=\"x"), Not("ok"));
@@ -113,6 +115,14 @@ TEST_F(ViewerWindow, NothingTypedIntoItEndsIt) {
     EXPECT_THAT(viewer_->tell("window graphs/paper.json"), HasSubstr("ends in .png"));
     EXPECT_THAT(viewer_->tell("capture graphs/paper.json"), HasSubstr("ends in .exr"));
     EXPECT_EQ(viewer_->textOf("graphs/paper.json"), graph);
+    quit();
+}
+
+TEST_F(ViewerWindow, EditsThatAreNotSavedAreNotDroppedWithoutAWord) {
+    EXPECT_EQ(viewer_->tell("set taps=3"), "ok");
+    EXPECT_THAT(viewer_->tell("quit"), HasSubstr("paper.json: error: it has edits that are not saved"));
+    EXPECT_EQ(viewer_->tell("set taps=4"), "ok");
+    EXPECT_THAT(viewer_->tell("quit"), HasSubstr("not saved")) << "another edit is another question";
     quit();
 }
 
@@ -131,17 +141,20 @@ TEST_F(ViewerWindow, ABrokenShaderIsNamedAndTheLastPictureStays) {
     viewer_->write("shaders/dipole_literal.glsl", shader + "\nbroken\n");
     EXPECT_TRUE(comesTrue([&] { return viewer_->errors().find("error") != std::string::npos; }));
     EXPECT_THAT(viewer_->errors(), HasSubstr("shaders/dipole_literal.glsl:"));
-    EXPECT_EQ(pictureWhileEditing().pixels, first.pixels);
-    EXPECT_THAT(viewer_->tell("window banner.png"), HasSubstr("shaders/dipole_literal.glsl:"));
-    EXPECT_TRUE(comesTrue([&] { return std::filesystem::exists(viewer_->folder() / "banner.png"); }));
+    EXPECT_EQ(picture().pixels, first.pixels);
+    EXPECT_EQ(viewer_->tell("window banner.png"), "ok") << "a file is no fault of the command's";
+    EXPECT_TRUE(std::filesystem::exists(viewer_->folder() / "banner.png"));
+    EXPECT_THAT(viewer_->tell("faults"), HasSubstr("shaders/dipole_literal.glsl:"));
+    EXPECT_THAT(viewer_->tell("no such"), HasSubstr("there is no command"));
     std::string black = shader;
     const std::string store = "store(radiance, p, vec4(sum, point.w));";
     ASSERT_NE(black.find(store), std::string::npos);
     black.replace(black.find(store), store.size(), "store(radiance, p, vec4(0.0, 0.0, 0.0, point.w));");
     viewer_->write("shaders/dipole_literal.glsl", black);
-    EXPECT_TRUE(comesTrue([&] { return pictureWhileEditing().pixels != first.pixels; }));
+    EXPECT_TRUE(comesTrue([&] { return picture().pixels != first.pixels; }));
     viewer_->write("shaders/dipole_literal.glsl", shader);
-    EXPECT_TRUE(comesTrue([&] { return pictureWhileEditing().pixels == first.pixels; }));
+    EXPECT_TRUE(comesTrue([&] { return picture().pixels == first.pixels; }));
+    EXPECT_EQ(viewer_->tell("faults"), "ok");
     quit();
 }
 
@@ -151,7 +164,7 @@ TEST_F(ViewerWindow, AFileSavedByOthersMeetsEditsThatAreNotSaved) {
     std::string file = viewer_->textOf("graphs/paper.json");
     file.replace(file.find("[0.3, 0.3, 0.05, 0.05, 0.3]"), 27, "[0.0, 0.0, 0.00, 0.00, 0.3]");
     viewer_->write("graphs/paper.json", file);
-    EXPECT_TRUE(comesTrue([&] { return pictureWhileEditing().pixels != edited.pixels; }));
+    EXPECT_TRUE(comesTrue([&] { return picture().pixels != edited.pixels; }));
     EXPECT_EQ(viewer_->tell("save"), "ok");
     EXPECT_THAT(viewer_->textOf("graphs/paper.json"), HasSubstr("\"taps\":         {\"value\": 3,"));
     EXPECT_THAT(viewer_->textOf("graphs/paper.json"), HasSubstr("[0.0, 0.0, 0.00, 0.00, 0.3]"));

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "graph/compatible_types.h"
 #include "graph/value_readers.h"
@@ -31,6 +32,18 @@ json::Value without(const json::Value& root, const json::Path& path) {
     const bool isEmpty = left && left->isObject() &&
                          left->sourceText().find_first_not_of("{} \t\r\n") == std::string_view::npos;
     return isEmpty ? json::removeAt(result, object) : result;
+}
+
+/// Faults of a value that was to be set stand at the setting: the text that would hold it was never saved.
+/// What is wrong elsewhere in the file for its sake stays there.
+std::vector<Diagnostic> asFaultsOfSetting(std::vector<Diagnostic> faults, const std::string& file,
+                                          const std::optional<json::Value>& value,
+                                          const std::string& setting) {
+    for (Diagnostic& fault : faults) {
+        const bool isElsewhere = fault.where.file == file && !(value && fault.where == value->where());
+        if (!isElsewhere) fault.where = {setting};
+    }
+    return faults;
 }
 
 /// `path` as `source` has it.
@@ -92,8 +105,15 @@ json::Path GraphDocument::pathOf(const std::string& target) const {
     const std::size_t dot = target.find('.');
     if (dot != std::string::npos) {
         const std::string node = target.substr(0, dot);
-        indexOf(node);
-        return {"nodes", node, "set", target.substr(dot + 1)};
+        const graph::PassType& type = *graph_->nodes[indexOf(node)].type;
+        const std::string parameter = target.substr(dot + 1);
+        if (graph::findNamed(type.parameters, parameter) == nullptr) {
+            throw InputError(
+                {file_.string()},
+                fmt::format("node {} (pass {}) has no parameter {}{}", inQuotes(node), inQuotes(type.name),
+                            inQuotes(parameter), graph::suggestionAmong(parameter, type.parameters)));
+        }
+        return {"nodes", node, "set", parameter};
     }
     const auto& parameters = graph_->description.parameters;
     if (graph::findNamed(parameters, target) == nullptr) {
@@ -105,12 +125,19 @@ json::Path GraphDocument::pathOf(const std::string& target) const {
 
 void GraphDocument::set(const std::string& target, std::string_view json, Gesture gesture) {
     const json::Path path = pathOf(target);
-    // A graph parameter keeps its shape, which the file itself does not demand.
-    if (target.find('.') == std::string::npos)
-        graph::applySetting(*graph_, graph_->values, fmt::format("{}={}", target, json));
-    json::Value next = json::setAt(root_, path, json);
-    if (gesture == Gesture::Starts) versions_[current_].gesture.clear();
-    edit(std::move(next), "set " + target, target);
+    std::optional<json::Value> next;
+    try {
+        // A graph parameter keeps its shape, which the file itself does not demand.
+        if (target.find('.') == std::string::npos)
+            graph::applySetting(*graph_, graph_->values, fmt::format("{}={}", target, json));
+        next = json::setAt(root_, path, json);
+        if (gesture == Gesture::Starts) versions_[current_].gesture.clear();
+        edit(*next, "set " + target, target);
+    } catch (const InputError& error) {
+        const auto value = next ? json::findAt(*next, path) : std::nullopt;
+        throw InputError(
+            asFaultsOfSetting(error.faults(), file_.string(), value, fmt::format("set {}={}", target, json)));
+    }
 }
 
 void GraphDocument::reset(const std::string& target) {

@@ -19,7 +19,7 @@ namespace {
 using Words = std::vector<std::string>;
 
 [[noreturn]] void refuse(const std::string& expected) {
-    throw InputError(SourceLocation{"command"}, "expected " + expected);
+    throw InputError(SourceLocation{std::string(commandPlace)}, "expected " + expected);
 }
 
 void requireCount(const Words& words, std::size_t least, std::size_t most, const char* expected) {
@@ -50,7 +50,7 @@ template<std::size_t N>
 std::uint32_t choice(const std::string& word, const std::array<std::string_view, N>& names) {
     for (std::uint32_t i = 0; i < N; ++i)
         if (names[i] == word) return i;
-    throw InputError(SourceLocation{"command"},
+    throw InputError(SourceLocation{std::string(commandPlace)},
                      fmt::format("there is no {}{}", inQuotes(word),
                                  suggestion(word, std::span<const std::string_view>(names))));
 }
@@ -66,15 +66,20 @@ void look(Viewer& viewer, Change change) {
 
 void orbit(Viewer& viewer, const Words& words) {
     requireCount(words, 2, 2, "orbit X Y, in heights of the picture");
-    viewer.bench().moveCamera().orbit(number(words[0]), number(words[1]));
+    const double x = number(words[0]);
+    const double y = number(words[1]);
+    viewer.bench().moveCamera().orbit(x, y);
 }
 void pan(Viewer& viewer, const Words& words) {
     requireCount(words, 2, 2, "pan X Y, in heights of the picture");
-    viewer.bench().moveCamera().pan(number(words[0]), number(words[1]));
+    const double x = number(words[0]);
+    const double y = number(words[1]);
+    viewer.bench().moveCamera().pan(x, y);
 }
 void zoom(Viewer& viewer, const Words& words) {
     requireCount(words, 1, 1, "zoom STEPS");
-    viewer.bench().moveCamera().approach(number(words[0]));
+    const double steps = number(words[0]);
+    viewer.bench().moveCamera().approach(steps);
 }
 void frame(Viewer& viewer, const Words&) {
     viewer.bench().frameObject();
@@ -126,7 +131,7 @@ void save(Viewer& viewer, const Words&) {
 void show(Viewer& viewer, const Words& words) {
     requireCount(words, 1, 1, "show NODE.PORT");
     Diagnostics diagnostics;
-    const auto port = graph::readPortReference(words[0], {"command"}, diagnostics);
+    const auto port = graph::readPortReference(words[0], {std::string(commandPlace)}, diagnostics);
     diagnostics.throwIfErrors();
     viewer.bench().document().graph()->find(*port);  // throws where there is none
     look(viewer, [&](PictureChoice& choice) { choice.port = words[0]; });
@@ -223,8 +228,11 @@ void command(Viewer& viewer, const Words&) {
 void help(Viewer& viewer, const Words&) {
     viewer.state().showsHelp = !viewer.state().showsHelp;
 }
+void faults(Viewer& viewer, const Words&) {
+    viewer.state().answersWithAllFaults = true;
+}
 void quit(Viewer& viewer, const Words&) {
-    viewer.window().close();
+    viewer.close();
 }
 
 constexpr std::array table{
@@ -260,7 +268,8 @@ constexpr std::array table{
     Command{"lower", "", {GLFW_KEY_TAB}, "Hides or shows what is below the picture.", lower},
     Command{"command", "", {'P', true}, "Opens the command line.", command},
     Command{"help", "", {GLFW_KEY_F1}, "Shows or hides this list.", help},
-    Command{"quit", "", {'Q', true}, "Closes the window.", quit},
+    Command{"faults", "", {}, "Answers with all that is wrong, in files too.", faults},
+    Command{"quit", "", {'Q', true}, "Closes the window; a second time also with unsaved edits.", quit},
 };
 
 }  // namespace

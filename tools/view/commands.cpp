@@ -14,9 +14,8 @@ namespace {
 
 constexpr std::string_view blanks = " \t\r";
 
-const SourceLocation& here() {
-    static const SourceLocation place{"command"};
-    return place;
+SourceLocation here() {
+    return {std::string(commandPlace)};
 }
 
 std::string symbolOf(int key) {

@@ -26,6 +26,9 @@ struct Command {
     void (*run)(Viewer& viewer, const std::vector<std::string>& arguments);
 };
 
+/// Where a fault is that lies in a command's own words.
+constexpr std::string_view commandPlace = "command";
+
 std::span<const Command> allCommands();
 /// "Ctrl+S", or nothing.
 std::string keyName(const KeyStroke& key);

@@ -13,9 +13,10 @@ constexpr double pi = 3.14159265358979323846;
 /// The least angle between the view direction and the up axis, radians.
 constexpr double leastPolarAngle = 0.02;
 constexpr double approachPerStep = 0.9;
-/// mm: nearer than this to the target nothing can be told from rounding.
+/// Of the first distance: nearer to the target nothing can be told from rounding, farther it is less than a
+/// point.
 constexpr double leastDistance = 1e-6;
-constexpr double greatestDistance = 1e12;
+constexpr double greatestDistance = 1e6;
 
 /// Rotates around a unit axis (Rodrigues' formula).
 glm::dvec3 rotated(const glm::dvec3& vector, const glm::dvec3& axis, double angle) {
@@ -24,6 +25,16 @@ glm::dvec3 rotated(const glm::dvec3& vector, const glm::dvec3& axis, double angl
 }
 
 }  // namespace
+
+OrbitCamera::OrbitCamera(const scene::CameraDescription& camera)
+    : camera_(camera),
+      firstDistance_(glm::distance(camera.position, camera.target)),
+      firstNear_(camera.near),
+      firstFar_(camera.far) {}
+
+double OrbitCamera::limited(double distance) const {
+    return std::clamp(distance, firstDistance_ * leastDistance, firstDistance_ * greatestDistance);
+}
 
 glm::dvec3 OrbitCamera::rightwards() const {
     return glm::normalize(glm::cross(camera_.target - camera_.position, camera_.up));
@@ -54,8 +65,7 @@ void OrbitCamera::pan(double x, double y) {
 void OrbitCamera::approach(double steps) {
     const glm::dvec3 offset = camera_.position - camera_.target;
     const double distance = glm::length(offset);
-    const double wanted =
-        std::clamp(distance * std::pow(approachPerStep, steps), leastDistance, greatestDistance);
+    const double wanted = limited(distance * std::pow(approachPerStep, steps));
     camera_.position = camera_.target + offset * (wanted / distance);
     keepInDepth();
 }
@@ -63,19 +73,18 @@ void OrbitCamera::approach(double steps) {
 void OrbitCamera::frame(const scene::EnclosingSphere& sphere, double width, double height) {
     if (sphere.empty()) return;
     const double tangent = std::tan(glm::radians(camera_.fovY) / 2) * std::min(1.0, width / height);
-    const double distance =
-        std::clamp(sphere.radius / std::sin(std::atan(tangent)), leastDistance, greatestDistance);
+    const double distance = limited(sphere.radius / std::sin(std::atan(tangent)));
     const glm::dvec3 direction = glm::normalize(camera_.position - camera_.target);
     camera_.target = sphere.center;
     camera_.position = sphere.center + direction * distance;
     keepInDepth();
 }
 
-/// What is looked at stays between the near and the far plane.
+/// What is looked at stays between the near and the far plane, which are the scene's own where these do.
 void OrbitCamera::keepInDepth() {
     const double distance = glm::distance(camera_.position, camera_.target);
-    camera_.near = std::min(camera_.near, distance / 100);
-    camera_.far = std::max(camera_.far, distance * 100);
+    camera_.near = std::min(firstNear_, distance / 100);
+    camera_.far = std::max(firstFar_, distance * 100);
 }
 
 }  // namespace nephrite::view

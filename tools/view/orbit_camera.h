@@ -9,7 +9,7 @@ namespace nephrite::view {
 /// Distances on the picture are in heights of the picture, x to the right and y down.
 class OrbitCamera {
   public:
-    explicit OrbitCamera(const scene::CameraDescription& camera) : camera_(camera) {}
+    explicit OrbitCamera(const scene::CameraDescription& camera);
 
     const scene::CameraDescription& description() const { return camera_; }
 
@@ -18,7 +18,8 @@ class OrbitCamera {
     void orbit(double x, double y);
     /// Moves along the picture plane, so that what is at the target's distance follows the hand.
     void pan(double x, double y);
-    /// Goes nearer by a tenth of the distance to the target for each step; away for negative steps.
+    /// Goes nearer by a tenth of the distance to the target for each step; away for negative steps. Stops at
+    /// a millionth and at a million times the distance there was at first.
     void approach(double steps);
     /// Moves so that the sphere just fits into a picture of `width` x `height`, seen from the same direction.
     /// Nothing happens with an empty sphere.
@@ -29,7 +30,12 @@ class OrbitCamera {
     glm::dvec3 rightwards() const;
     void keepInDepth();
 
+    double limited(double distance) const;
+
     scene::CameraDescription camera_;
+    double firstDistance_;  ///< mm
+    double firstNear_;      ///< mm
+    double firstFar_;       ///< mm
 };
 
 }  // namespace nephrite::view

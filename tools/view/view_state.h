@@ -39,7 +39,8 @@ struct ViewState {
     Magnification magnification;
     bool showsLower = true;
     bool showsHelp = false;
-    bool asksForCommand = false;  ///< the command line is open
+    bool asksForCommand = false;        ///< the command line is open
+    bool answersWithAllFaults = false;  ///< the next answer to a script, not only the last command's
     std::string commandLine;
     std::string portFilter;                              ///< in the menu of ports
     std::string referenceFile;                           ///< as it is typed

@@ -2,6 +2,7 @@
 #include "view/viewer.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -11,7 +12,6 @@
 #include "gpu/device.h"
 #include "image/png.h"
 #include "text/fault_lines.h"
-#include "view/commands.h"
 #include "view/mouse.h"
 #include "view/panels/panels.h"
 
@@ -40,7 +40,8 @@ Viewer::Viewer(const ViewerOptions& options)
       presenter_(bench_.session().device(), surface_.get(), gpu::PresentMode::Fifo) {
     for (const Diagnostic& warning : bench_.session().diagnostics().warnings())
         fmt::print(stderr, "{}\n", toLine(warning, "warning"));
-    if (!options.script.empty()) script_ = std::make_unique<CommandInput>(options.script, Window::wake);
+    if (!options.script.empty()) script_ = std::make_unique<Script>(options.script, Window::wake);
+    knownEdits_ = bench_.document().text();  // those of --set
 }
 
 void Viewer::attempt(const std::function<void()>& action) {
@@ -61,12 +62,13 @@ std::optional<image::ReferenceError> Viewer::errorIfKnown() {
 }
 
 void Viewer::run() {
-    while (!window_.isToClose()) {
+    while (!isClosed_) {
         if (hasWork())
             window_.poll();
         else
             window_.wait(longestSleep);
         if (window_.takeActivity()) pictures_ = picturesToRest;
+        takeCloseRequest();
         presenter_.waitForAll();
         betweenFrames();
         const VkExtent2D pixels = window_.pixels();
@@ -81,6 +83,22 @@ void Viewer::run() {
     }
     if (const std::size_t count = bench_.session().device().validationMessages(); count != 0)
         throw RunError(fmt::format("{} validation message{}", count, count == 1 ? "" : "s"));
+    if (script_) script_->requireAllDone();
+}
+
+void Viewer::close() {
+    const document::GraphDocument& document = bench_.document();
+    if (document.isModified() && document.text() != knownEdits_) {
+        knownEdits_ = document.text();
+        throw InputError({document.file().filename().string()},
+                         "it has edits that are not saved: save them, or close again to drop them");
+    }
+    isClosed_ = true;
+}
+
+/// Of the desktop.
+void Viewer::takeCloseRequest() {
+    if (window_.takeCloseRequest()) attempt([&] { close(); });
 }
 
 /// Does what is no change of the user's: if it succeeds, what an earlier change threw is still to be seen.
@@ -116,10 +134,8 @@ void Viewer::forgetPictures() {
 /// Here, and while the controls are made, what is shown may change: nothing of it is being drawn.
 void Viewer::betweenFrames() {
     takeSaved();
-    if (!script_ || answers_) return;
-    const std::optional<std::string> line = script_->next();
-    if (!line) return;
-    attempt([&] { runCommand(*this, *line); });
+    if (!script_ || answers_ || !script_->hasNext()) return;
+    attempt([&] { script_->runNext(*this); });
     answers_ = true;
     pictures_ = picturesToRest;
 }
@@ -149,9 +165,18 @@ std::vector<std::string> Viewer::bannerLines() const {
 void Viewer::answerScript() {
     if (!answers_ || pictures_ > 0 || (wantsFrame() && !bench_.isPlaying())) return;
     answers_ = false;
-    const std::vector<std::string> lines = bannerLines();
-    fmt::print("{}\n", lines.empty() ? "ok" : lines.front());
-    std::fflush(stdout);
+    script_->answer(answer());
+}
+
+/// What became of the last command and its picture. A file that is wrong is not its doing.
+std::string Viewer::answer() {
+    if (std::exchange(state_.answersWithAllFaults, false)) {
+        const std::vector<std::string> lines = bannerLines();
+        return lines.empty() ? "ok" : fmt::format("{}", fmt::join(lines, "; "));
+    }
+    for (const FaultList* list : {&faults_, &frameFaults_, &drawingFaults_})
+        if (!list->lines().empty()) return list->lines().front();
+    return "ok";
 }
 
 bool Viewer::hasWork() const {

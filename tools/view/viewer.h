@@ -6,9 +6,9 @@
 #include <memory>
 
 #include "gpu/frame_presenter.h"
-#include "view/command_input.h"
 #include "view/fault_list.h"
 #include "view/layout.h"
+#include "view/script.h"
 #include "view/stage.h"
 #include "view/user_interface.h"
 #include "view/view_state.h"
@@ -38,6 +38,8 @@ class Viewer {
     /// What is wrong now, a line each.
     std::vector<std::string> bannerLines() const;
     Window& window() { return window_; }
+    /// Ends run(). With edits that are not saved this throws InputError the first time, which says so.
+    void close();
     /// Where the picture is in the window; that of the reference, if there is one.
     const PicturePlacement& placement() const { return placement_; }
     const std::optional<PicturePlacement>& referencePlacement() const { return referencePlacement_; }
@@ -53,7 +55,9 @@ class Viewer {
   private:
     void betweenFrames();
     void takeSaved();
+    std::string answer();
     void answerScript();
+    void takeCloseRequest();
     bool hasWork() const;
     void guarded(const std::function<void()>& work);
     bool wantsFrame() const;
@@ -80,10 +84,12 @@ class Viewer {
     Layout layout_;
     PicturePlacement placement_;
     std::optional<PicturePlacement> referencePlacement_;
-    std::unique_ptr<CommandInput> script_;
+    std::unique_ptr<Script> script_;
     bool answers_ = false;        ///< a command of the script was run and its picture is not shown yet
     std::uint32_t pictures_ = 0;  ///< to draw until the controls are at rest
     bool isSeen_ = true;          ///< the window is not minimised
+    bool isClosed_ = false;
+    std::string knownEdits_;  ///< the graph's text whose edits the user knows that closing drops
     std::string title_;
 };
 

@@ -11,9 +11,6 @@
 namespace nephrite::view {
 namespace {
 
-constexpr int leastWidth = 640;
-constexpr int leastHeight = 480;
-
 /// What the library says of its last failure.
 std::string lastFailure() {
     const char* text = nullptr;
@@ -55,7 +52,7 @@ Window::Window(const WindowLibrary&, const std::string& title, int width, int he
     glfwWindowHintString(GLFW_X11_CLASS_NAME, "nephrite");
     window_ = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
     if (window_ == nullptr) throw RunError(fmt::format("cannot open a window: {}", lastFailure()));
-    glfwSetWindowSizeLimits(window_, leastWidth, leastHeight, GLFW_DONT_CARE, GLFW_DONT_CARE);
+    glfwSetWindowSizeLimits(window_, leastWindowWidth, leastWindowHeight, GLFW_DONT_CARE, GLFW_DONT_CARE);
     listen();
 }
 
@@ -108,12 +105,10 @@ void Window::setTitle(const std::string& title) {
     glfwSetWindowTitle(window_, title.c_str());
 }
 
-bool Window::isToClose() const {
-    return glfwWindowShouldClose(window_) == GLFW_TRUE;
-}
-
-void Window::close() {
-    glfwSetWindowShouldClose(window_, GLFW_TRUE);
+bool Window::takeCloseRequest() {
+    const bool isAsked = glfwWindowShouldClose(window_) == GLFW_TRUE;
+    glfwSetWindowShouldClose(window_, GLFW_FALSE);
+    return isAsked;
 }
 
 void Window::wait(double seconds) {

@@ -10,6 +10,10 @@ struct GLFWwindow;
 
 namespace nephrite::view {
 
+/// Smaller than this, in the desktop's units, the controls have no room.
+constexpr int leastWindowWidth = 640;
+constexpr int leastWindowHeight = 480;
+
 /// The window library, in use as long as this lives. One at a time.
 class WindowLibrary {
   public:
@@ -39,8 +43,8 @@ class Window {
     float contentScale() const;
     void setTitle(const std::string& title);
 
-    bool isToClose() const;
-    void close();
+    /// Whether the desktop has asked to close it since the last call.
+    bool takeCloseRequest();
 
     /// Sleeps until something happens to the window, wake() is called or so many seconds have passed.
     void wait(double seconds);

@@ -51,6 +51,13 @@ runtime::SessionOptions withDisplay(runtime::SessionOptions options, const Pictu
     return options;
 }
 
+void requireInside(const PictureChoice& choice, const char* what, std::uint32_t index, std::uint32_t count) {
+    if (index == 0 || index < count) return;
+    throw InputError({choice.port},
+                     count < 2 ? fmt::format("it has no {} but 0", what)
+                               : fmt::format("expected a {} from 0 to {}, found {}", what, count - 1, index));
+}
+
 image::Metadata metadataOf(const runtime::SessionOptions& options, const PictureChoice& choice, double time) {
     return {{"graph", options.graph.string()},
             {"scene", options.scene.empty() ? "default" : options.scene.string()},
@@ -104,34 +111,41 @@ void Workbench::readDocumentAnew(runtime::Reload& saved) {
     }
 }
 
+/// Changes the document and shows it, or leaves both as they were.
+template<class Edit>
+void Workbench::edit(Edit edit) {
+    document::GraphDocument before = document_;
+    try {
+        edit();
+        showDocument();
+    } catch (...) {
+        document_ = std::move(before);
+        throw;
+    }
+}
+
 void Workbench::set(const std::string& target, const std::string& json, document::Gesture gesture) {
-    document_.set(target, json, gesture);
-    showDocument();
+    edit([&] { document_.set(target, json, gesture); });
 }
 
 void Workbench::reset(const std::string& target) {
-    document_.reset(target);
-    showDocument();
+    edit([&] { document_.reset(target); });
 }
 
 void Workbench::switchNode(const std::string& node, bool on) {
-    document_.switchNode(node, on);
-    showDocument();
+    edit([&] { document_.switchNode(node, on); });
 }
 
 void Workbench::swapPass(const std::string& node, const std::string& passType) {
-    document_.swapPass(node, passType);
-    showDocument();
+    edit([&] { document_.swapPass(node, passType); });
 }
 
 void Workbench::undo() {
-    document_.undo();
-    showDocument();
+    edit([&] { document_.undo(); });
 }
 
 void Workbench::redo() {
-    document_.redo();
-    showDocument();
+    edit([&] { document_.redo(); });
 }
 
 void Workbench::save() {
@@ -139,10 +153,28 @@ void Workbench::save() {
     showDocument();
 }
 
+/// The levels and layers of what is looked at; none where nothing computes it.
+graph::Subresources Workbench::shownPart() const {
+    const auto exported = session_->exported(graph::valuesName);
+    return exported ? exported->part : graph::Subresources{0, 0, 0, 0};
+}
+
+/// An edit may have taken the level or layer away that was looked at.
+void Workbench::stayInRange() {
+    const graph::Subresources part = shownPart();
+    PictureChoice choice = choice_;
+    choice.level = std::min(choice.level, std::max(part.mips, 1U) - 1);
+    choice.layer = std::min(choice.layer, std::max(part.layers, 1U) - 1);
+    look(choice);
+}
+
 void Workbench::look(PictureChoice choice) {
     if (choice == choice_) return;
     const bool isOther = choice.port != choice_.port;
     if (isOther) choice.level = choice.layer = 0;
+    const graph::Subresources part = shownPart();
+    requireInside(choice, "level", choice.level, part.mips);
+    requireInside(choice, "layer", choice.layer, part.layers);
     std::optional<image::Image> reference = reference_;
     if (choice.reference.empty()) reference.reset();
     if (!choice.reference.empty() && choice.reference != choice_.reference)
@@ -226,6 +258,7 @@ void Workbench::render() {
     isDirty_ = false;  // a frame that fails is not tried again until something changes
     values_.reset();
     error_.reset();
+    stayInRange();
     session_->setCamera(camera_.description());
     times_.add(session_->plan(), session_->renderFrame(time_));
     if (wantsExposure_) setExposure();

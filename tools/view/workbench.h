@@ -26,8 +26,8 @@ class Workbench {
     /// takeSaved() has something to do. Throws as Session.
     Workbench(runtime::SessionOptions options, std::function<void()> onSaved);
 
-    // Changes throw InputError or RunError. The session then goes on as it was; the document may hold an edit
-    // that it does not show.
+    // Changes throw InputError or RunError, and then nothing has changed: an edit that the session cannot
+    // show is not made.
     void set(const std::string& target, const std::string& json, document::Gesture gesture);
     void reset(const std::string& target);
     void switchNode(const std::string& node, bool on);
@@ -41,7 +41,8 @@ class Workbench {
     std::optional<runtime::Reload> takeSaved();
 
     /// Looks at another port, or at the same otherwise. Another port is seen from its first level and layer,
-    /// and its exposure is automatic.
+    /// and its exposure is automatic. Throws InputError also for a level or layer that the port does not
+    /// have.
     void look(PictureChoice choice);
     /// Sets the exposure so that the next frame's picture is neither black nor white.
     void exposeAutomatically();
@@ -88,6 +89,10 @@ class Workbench {
 
     document::Extras extras() const { return {{}, displayOf(choice_)}; }
     void showDocument();
+    template<class Edit>
+    void edit(Edit edit);
+    graph::Subresources shownPart() const;
+    void stayInRange();
     void readDocumentAnew(runtime::Reload& saved);
     void applyChoice();
     void setExposure();

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 namespace nephrite::runtime {
@@ -34,6 +35,19 @@ double sinceSaved(const std::vector<std::filesystem::path>& files) {
     return least > longest ? 0 : least;
 }
 
+/// The first few; a renamed folder may bring many.
+std::string namesOf(const std::vector<std::filesystem::path>& files) {
+    constexpr std::size_t most = 3;
+    std::string names;
+    for (const std::filesystem::path& file : std::span(files).first(std::min(files.size(), most))) {
+        std::error_code ignored;  // a link to itself is no file either
+        const bool isThere = std::filesystem::exists(file, ignored);
+        names += fmt::format("{}{}{}", names.empty() ? "" : ", ", file.filename().string(),
+                             isThere ? "" : " (gone)");
+    }
+    return files.size() > most ? fmt::format("{} and {} more", names, files.size() - most) : names;
+}
+
 std::vector<Diagnostic> faultsOf(const std::exception& error) {
     if (const auto* input = dynamic_cast<const InputError*>(&error)) return input->faults();
     return {{{"nephrite"}, error.what()}};
@@ -45,17 +59,12 @@ std::vector<std::string> toLines(const Reload& reload) {
     std::vector<std::string> lines;
     for (const Diagnostic& fault : reload.faults) lines.push_back(toLine(fault));
     if (!reload.shown) return lines;
-    std::string names;
-    std::error_code ignored;  // a link to itself is no file either
-    for (const std::filesystem::path& file : reload.files)
-        if (std::filesystem::exists(file, ignored))
-            names += (names.empty() ? "" : ", ") + file.filename().string();
     const ReloadTimes& times = reload.times;
     lines.push_back(fmt::format(
         "reloaded {} in {:.0f} ms (noticed {:.0f}, read {:.0f}, compiled {:.0f}, swapped {:.0f}), "
         "driver {:.0f} ms for {} pipeline{}",
-        names.empty() ? "files" : names, times.ownMs(), times.noticeMs, times.readMs, times.compileMs,
-        times.swapMs, times.driverMs, reload.pipelines, reload.pipelines == 1 ? "" : "s"));
+        namesOf(reload.files), times.ownMs(), times.noticeMs, times.readMs, times.compileMs, times.swapMs,
+        times.driverMs, reload.pipelines, reload.pipelines == 1 ? "" : "s"));
     return lines;
 }
 

@@ -35,9 +35,21 @@ float dragSpeed(const Control& control, std::size_t component) {
     return static_cast<float>(std::max(std::abs(control.value.components[component]), 0.01) * 0.01);
 }
 
+/// So many digits that the integers among its values are seen as such.
+const char* numberFormat(const Control& control) {
+    constexpr double fourDigits = 1e4;
+    if (isWhole(control)) return "%.0f";
+    double greatest =
+        control.range ? std::max(std::abs((*control.range)[0]), std::abs((*control.range)[1])) : 0;
+    if (!control.range)
+        for (const double component : control.value.components)
+            greatest = std::max(greatest, std::abs(component));
+    return greatest < fourDigits ? "%.4g" : "%.6g";
+}
+
 /// Some components in one row. True if one was changed.
 bool drawComponents(const Control& control, double* values, int count, std::size_t first) {
-    const char* format = isWhole(control) ? "%.0f" : "%.4g";
+    const char* format = numberFormat(control);
     ImGui::SetNextItemWidth(-1);
     if (!control.range)
         return ImGui::DragScalarN("##value", ImGuiDataType_Double, values, count, dragSpeed(control, first),
