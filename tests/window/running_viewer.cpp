@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <fstream>
 #include <iterator>
@@ -66,7 +67,7 @@ std::string RunningViewer::errors() const {
     return textOf("errors");
 }
 
-std::string RunningViewer::textOf(const std::string& file) const {
+std::string RunningViewer::textOf(const fs::path& file) const {
     std::ifstream stream(folder() / file, std::ios::binary);
     return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
@@ -80,20 +81,34 @@ int RunningViewer::waitForEnd() {
 
 std::string RunningViewer::condition() {
     int status = 0;
-    if (process_ <= 0 || waitpid(process_, &status, WNOHANG) != process_)
-        return "it runs, and has used " + std::to_string(processorSeconds()) + " s";
+    if (process_ <= 0 || waitpid(process_, &status, WNOHANG) != process_) return "it runs:" + busyThreads();
     process_ = -1;
     return WIFEXITED(status) ? "it ended with status " + std::to_string(WEXITSTATUS(status))
                              : "signal " + std::to_string(WTERMSIG(status)) + " ended it";
 }
 
-double RunningViewer::processorSeconds() const {
-    std::istringstream words(textOf("/proc/" + std::to_string(process_) + "/stat"));
+double RunningViewer::secondsOf(const fs::path& stat) const {
+    const std::string text = textOf(stat);
+    std::istringstream words(text.substr(std::min(text.rfind(')'), text.size())));  // a name may hold blanks
     std::string word;
     double ticks = 0;
-    for (int i = 1; i <= 15 && words >> word; ++i)
+    for (int i = 2; i <= 15 && words >> word; ++i)
         if (i >= 14) ticks += std::stod(word);  // utime, stime
     return ticks / static_cast<double>(sysconf(_SC_CLK_TCK));
+}
+
+double RunningViewer::processorSeconds() const {
+    return secondsOf(fs::path("/proc") / std::to_string(process_) / "stat");
+}
+
+std::string RunningViewer::busyThreads() const {
+    std::ostringstream text;
+    for (const auto& thread : fs::directory_iterator(fs::path("/proc") / std::to_string(process_) / "task")) {
+        std::string name = textOf(thread.path() / "comm");
+        name.pop_back();
+        text << ' ' << name << ' ' << secondsOf(thread.path() / "stat") << " s,";
+    }
+    return text.str();
 }
 
 }  // namespace nephrite::view::test

@@ -31,10 +31,14 @@ class RunningViewer {
     /// Seconds of processor time so far.
     double processorSeconds() const;
     const std::filesystem::path& folder() const { return folder_.path(); }
-    std::string textOf(const std::string& file) const;
+    std::string textOf(const std::filesystem::path& file) const;
     void write(const std::string& file, const std::string& text) const { folder_.write(file, text); }
 
   private:
+    double secondsOf(const std::filesystem::path& stat) const;
+    /// Each thread's name and processor time.
+    std::string busyThreads() const;
+
     ScratchFolder folder_;
     pid_t process_ = -1;
     FILE* commands_ = nullptr;
