@@ -84,7 +84,10 @@ void drawMagnifier(Viewer& viewer) {
     if (values == nullptr || texel->x >= values->width || texel->y >= values->height)
         return coloredText(color::quiet, "no values here");
     drawTexels(*values, *texel, viewer.bench().choice().exposure);
-    ImGui::SameLine();
+    const float widthOfValues = ImGui::CalcTextSize("R -1.23456789e-12").x;
+    const float left = ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x;
+    if (left + widthOfValues < ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x)
+        ImGui::SameLine();
     ImGui::BeginGroup();
     coloredText(color::quiet, fmt::format("({}, {})", texel->x, texel->y));
     drawValues(*values, *texel);

@@ -76,9 +76,14 @@ void drawBool(Viewer& viewer, const Control& control) {
     if (ImGui::Checkbox("##value", &on)) send(viewer, control, {{on ? 1.0 : 0.0}}, true);
 }
 
-/// Up to four components stand in one row, more in rows of four.
+/// At most four, and only as many as can be read.
+std::size_t componentsPerRow() {
+    const float widthOfOne = ImGui::GetFontSize() * 2.2F + ImGui::GetStyle().ItemInnerSpacing.x;
+    return static_cast<std::size_t>(std::clamp(ImGui::GetContentRegionAvail().x / widthOfOne, 1.0F, 4.0F));
+}
+
 void drawNumbers(Viewer& viewer, const Control& control) {
-    constexpr std::size_t perRow = 4;
+    const std::size_t perRow = componentsPerRow();
     graph::ParameterValue value = control.value;
     for (std::size_t first = 0; first < value.components.size(); first += perRow) {
         const auto count = static_cast<int>(std::min(perRow, value.components.size() - first));
