@@ -20,7 +20,7 @@ void bar(float value, float most, const ImVec4& color) {
     const float part = most > 0 ? std::clamp(value / most, 0.0F, 1.0F) : 0;
     list.AddRectFilled(corner, {corner.x + width, corner.y + height}, ImGui::GetColorU32(ImGuiCol_FrameBg));
     list.AddRectFilled(corner, {corner.x + width * part, corner.y + height}, ImGui::GetColorU32(color));
-    const std::string text = fmt::format("{:.2f}", value);
+    const std::string text = fmt::format("{:.{}f}", value, value < 0.1F ? 3 : 2);
     list.AddText({corner.x + 4, corner.y}, ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
     ImGui::Dummy({width, height});
 }
@@ -62,6 +62,8 @@ void drawPass(Viewer& viewer, const std::string& name, float mostGpu, float most
     explainItem("recording its commands on the CPU, ms, in the last frame");
     ImGui::TableNextColumn();
     history("##gpu", series.gpuMs, color::gpu, ImGui::GetTextLineHeight());
+    ImGui::TableNextColumn();
+    history("##cpu", series.cpuMs, color::cpu, ImGui::GetTextLineHeight());
     ImGui::PopID();
 }
 
@@ -73,12 +75,15 @@ void drawPasses(Viewer& viewer) {
         mostGpu = std::max(mostGpu, times.of(pass).medianGpuMs());
         mostCpu = std::max(mostCpu, times.of(pass).cpuMs.back());
     }
-    if (!ImGui::BeginTable("passes", 4, ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersInnerV)) return;
+    constexpr ImGuiTableFlags flags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersInnerV |
+                                      ImGuiTableFlags_Resizable | ImGuiTableFlags_SizingStretchSame;
+    if (!ImGui::BeginTable("passes", 5, flags)) return;
     ImGui::TableSetupScrollFreeze(0, 1);
     ImGui::TableSetupColumn("pass", ImGuiTableColumnFlags_WidthFixed, ImGui::GetFontSize() * 11);
     ImGui::TableSetupColumn("GPU ms");
     ImGui::TableSetupColumn("CPU ms");
     ImGui::TableSetupColumn("GPU, last frames");
+    ImGui::TableSetupColumn("CPU, last frames");
     ImGui::TableHeadersRow();
     for (const std::string& pass : times.passes()) drawPass(viewer, pass, mostGpu, mostCpu);
     ImGui::EndTable();
