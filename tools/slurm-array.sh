@@ -24,6 +24,14 @@ case $parts in
         ;;
 esac
 
+# Slurm reads a backslash in the name of a log as a sign of its own.
+case $output in
+    *\\*)
+        printf '%s: %s: expected a name without a backslash\n' "$0" "$output" >&2
+        exit 2
+        ;;
+esac
+
 # Every job must write files of its own: --stderr becomes ERRORS, and what a job is given by this script is refused.
 errors=
 before=
@@ -40,7 +48,7 @@ for argument in "$@"; do
     esac
 done
 
-root=$(cd "$(dirname "$0")/.." && pwd)
+root=$(cd "$(dirname "$(readlink -f "$0")")/.." && pwd)
 program=${NEPHRITE:-$root/build/release/nephrite}
 if ! command -v "$program" > /dev/null; then
     echo "$0: $program: there is no such program" >&2

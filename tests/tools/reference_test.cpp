@@ -141,7 +141,19 @@ TEST(ReferenceArray, MergesWhatItsJobsRender) {
     EXPECT_NE(submit(place, "reference-array.sh", "2 other.exr " + run + "--part 1/2"), 0);
     EXPECT_NE(submit(place, "reference-array.sh", "2%1 other.exr " + run), 0);
     EXPECT_THAT(bytesOf(place.path() / "errors"), HasSubstr("PARTS: expected a whole number"));
+    EXPECT_NE(submit(place, "reference-array.sh", "2 'a\\b/other.exr' " + run), 0);
+    EXPECT_THAT(bytesOf(place.path() / "errors"),
+                HasSubstr("a\\b/other.exr: expected a name without a backslash"));
     EXPECT_FALSE(place.isThere("other.exr"));
+}
+
+TEST(ReferenceArray, MayBeCalledThroughALink) {
+    const Workplace place;
+    std::filesystem::create_symlink(NEPHRITE_SOURCE_DIR "/tools/reference-array.sh", place.path() / "array");
+    const std::string run = sceneFile("sphere.json") + " --size 8x8 --mode single --spp 1";
+    ASSERT_EQ(submit(place, place.path() / "array", "2 linked.exr " + run), 0)
+        << bytesOf(place.path() / "errors");
+    EXPECT_TRUE(place.isThere("linked.exr"));
 }
 
 TEST(Reference, SaysWhatIsWrongWithItsOptions) {

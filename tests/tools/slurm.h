@@ -9,9 +9,9 @@
 
 namespace nephrite::tools::test {
 
-/// Runs `SCRIPT ARGUMENTS` of the source tree's tools/ in the folder; what std::system returns. Its standard
-/// error goes to the file `errors`.
-inline int submit(const Workplace& place, const std::string& script, const std::string& arguments) {
+/// Runs `SCRIPT ARGUMENTS`, a script of the source tree's tools/ unless it is a whole path, in the folder;
+/// what std::system returns. Its standard error goes to the file `errors`.
+inline int submit(const Workplace& place, const std::filesystem::path& script, const std::string& arguments) {
     const auto sbatch = place.write("bin/sbatch", R"sh(#!/bin/sh
 jobs=1
 while [ "$1" != /dev/stdin ]; do
@@ -25,9 +25,9 @@ echo 7
 )sh");
     std::filesystem::permissions(sbatch, std::filesystem::perms::owner_all);
     const std::string command = "cd '" + place.path().string() +
-                                "' && PATH=\"$PWD/bin:$PATH\" NEPHRITE='" NEPHRITE_PROGRAM
-                                "' '" NEPHRITE_SOURCE_DIR "/tools/" +
-                                script + "' " + arguments + " > /dev/null 2> errors";
+                                "' && PATH=\"$PWD/bin:$PATH\" NEPHRITE='" NEPHRITE_PROGRAM "' '" +
+                                (std::filesystem::path(NEPHRITE_SOURCE_DIR) / "tools" / script).string() +
+                                "' " + arguments + " > /dev/null 2> errors";
     return std::system(command.c_str());
 }
 
