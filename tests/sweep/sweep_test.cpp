@@ -144,10 +144,35 @@ TEST(SweepTable, HasAColumnForEverythingThatARowHas) {
         "id,scene,parameters.w,parameters.x,error,metrics.relRMSE.R,metrics.relRMSE.G,metrics.relRMSE.B,"
         "device,parameters.y,wallMs.median,passes.p.gpuMs.min,passes.p.cpuMs.min\n"
         "1,s,\"[0, 1, 0]\",1,0.5,1,2,,\"a, b\",,,,\n"
-        "2,s,,,,,,,,true,2,3,4\n");
+        "2,s,,,,,,,,true,2.000000,3.000000,4.000000\n");
     const Json::Value json = parsed(rowsAsJson("n", rows));
     EXPECT_EQ(json["sweep"], "n");
     EXPECT_EQ(json["runs"][1]["passes"][0]["name"], "p");
+}
+
+/// What stands below a column in the table of one row.
+std::string fieldOf(const std::string& row, const std::string& column) {
+    std::istringstream table(rowsAsCsv({parsed(row)}));
+    std::string head;
+    std::string line;
+    std::getline(std::getline(table, head), line);
+    std::istringstream columns(head);
+    std::istringstream fields(line);
+    for (std::string name, field; std::getline(columns, name, ',') && std::getline(fields, field, ',');)
+        if (name == column) return field;
+    return "no such column";
+}
+
+TEST(SweepTable, RoundsTimesToNanosecondsAndNothingElse) {
+    const std::string row = R"({"parameters": {"x": 0.1}, "error": 0.12345678901234567,
+        "wallMs": {"median": 12.345678499999, "min": 0.0000004},
+        "passes": [{"name": "p", "gpuMs": {"p95": 1234.5}, "cpuMs": {"min": 3.0000006}}]})";
+    EXPECT_EQ(fieldOf(row, "wallMs.median"), "12.345678");
+    EXPECT_EQ(fieldOf(row, "wallMs.min"), "0.000000");
+    EXPECT_EQ(fieldOf(row, "passes.p.gpuMs.p95"), "1234.500000");
+    EXPECT_EQ(fieldOf(row, "passes.p.cpuMs.min"), "3.000001");
+    EXPECT_EQ(std::stod(fieldOf(row, "parameters.x")), 0.1);
+    EXPECT_EQ(std::stod(fieldOf(row, "error")), 0.12345678901234567);
 }
 
 TEST(SweepSchema, HasTheKeysOfTheReader) {

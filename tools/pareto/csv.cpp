@@ -19,6 +19,10 @@ std::string csvField(double value) {
     return std::isfinite(value) ? fmt::format("{:.17g}", value) : std::string();
 }
 
+std::string csvTime(double ms) {
+    return std::isfinite(ms) ? fmt::format("{:.6f}", ms) : std::string();
+}
+
 std::string CsvLine::text() const {
     return fmt::format("{}\n", fmt::join(fields_, ","));
 }

@@ -10,6 +10,8 @@ namespace nephrite::pareto {
 std::string csvField(const std::string& text);
 /// 17 significant digits; empty if it is not finite.
 std::string csvField(double value);
+/// A time in ms to the nanosecond, which is what clocks count; empty if it is not finite.
+std::string csvTime(double ms);
 
 class CsvLine {
   public:

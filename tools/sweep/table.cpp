@@ -42,10 +42,15 @@ void flattenParameters(const Json::Value& parameters, Fields& fields) {
         fields.emplace_back("parameters." + member.name(), fieldOf(*member));
 }
 
+void flattenTimes(const std::string& column, const Json::Value& statistics, Fields& fields) {
+    for (auto member = statistics.begin(); member != statistics.end(); ++member)
+        fields.emplace_back(column + "." + member.name(), pareto::csvTime(member->asDouble()));
+}
+
 void flattenPasses(const Json::Value& passes, Fields& fields) {
     for (const Json::Value& pass : passes)
         for (const char* clock : {"gpuMs", "cpuMs"})
-            flatten("passes." + pass["name"].asString() + "." + clock, pass[clock], fields);
+            flattenTimes("passes." + pass["name"].asString() + "." + clock, pass[clock], fields);
 }
 
 Fields fieldsOf(const Json::Value& row) {
@@ -59,6 +64,8 @@ Fields fieldsOf(const Json::Value& row) {
             flattenParameters(row[key], fields);
         else if (name == "passes")
             flattenPasses(row[key], fields);
+        else if (name == "wallMs")
+            flattenTimes(key, row[key], fields);
         else
             flatten(key, row[key], fields);
     }
