@@ -1,10 +1,12 @@
 // `nephrite bench compare-timings`: which pass changed between two timing dumps.
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 
 #include "bench.h"
 #include "image/output_file.h"
+#include "options.h"
 #include "text/diagnostics.h"
 #include "timings/comparison.h"
 
@@ -28,6 +30,7 @@ void requireAtLeastZero(const std::string& option, double value) {
 void compareTimings(const CompareTimingsArguments& arguments) {
     requireAtLeastZero("--threshold", arguments.threshold);
     requireAtLeastZero("--least", arguments.leastMs);
+    requireOther(arguments.json, std::array{arguments.before, arguments.after});
     const timings::Dump before = timings::readDump(arguments.before);
     const timings::Dump after = timings::readDump(arguments.after);
     timings::ComparisonOptions options;

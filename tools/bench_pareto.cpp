@@ -39,6 +39,16 @@ pareto::Suite suiteOf(const ParetoArguments& arguments) {
     return suite;
 }
 
+/// What is written must not replace what it is made from: a suite may well be called pareto.json.
+void requireOtherFiles(const pareto::Suite& suite, const ParetoArguments& arguments) {
+    std::vector<std::filesystem::path> inputs{suite.file};
+    for (const pareto::SuiteScene& scene : suite.scenes) inputs.push_back(scene.file);
+    for (const pareto::Method& method : suite.methods) inputs.push_back(method.graph);
+    for (const char* name : {"pareto.json", "pareto.csv", "passes.csv", "table.md", "pareto.gp"})
+        requireOther(arguments.folder / name, inputs);
+    requireOther(arguments.json, inputs);
+}
+
 /// The output folder, made if it is missing, and every file of it can be written.
 void requireFolder(const ParetoArguments& arguments) {
     std::error_code ignored;
@@ -49,6 +59,7 @@ void requireFolder(const ParetoArguments& arguments) {
 
 pareto::SuiteResult run(const ParetoArguments& arguments) {
     const pareto::Suite suite = suiteOf(arguments);
+    requireOtherFiles(suite, arguments);
     std::optional<ProgressBar> bar;
     std::string shown;
     pareto::Progress progress;

@@ -3,6 +3,7 @@
 #include <json/writer.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <optional>
@@ -13,6 +14,7 @@
 #include "image/metrics/metrics_report.h"
 #include "image/output_file.h"
 #include "image/png.h"
+#include "options.h"
 #include "text/diagnostics.h"
 #include "verbs.h"
 
@@ -39,6 +41,8 @@ void requireEnding(const std::string& option, const std::filesystem::path& name,
 void requireUsable(const CompareArguments& arguments) {
     requireEnding("--json", arguments.json, ".json");
     requireEnding("--heatmap", arguments.heatMap, ".png");
+    for (const std::filesystem::path& output : {arguments.json, arguments.heatMap})
+        requireOther(output, std::array{arguments.picture, arguments.reference, arguments.secondHalf});
     if (arguments.bins == 0) throw InputError({"--bins"}, "expected at least 1, found 0");
     if (!arguments.heatMapRange) return;
     const double range = *arguments.heatMapRange;

@@ -1,6 +1,7 @@
 // `nephrite merge`: puts pictures of parts of a `reference` run together.
 #include <filesystem>
 
+#include "options.h"
 #include "text/diagnostics.h"
 #include "truth/run_record.h"
 #include "verbs.h"
@@ -25,6 +26,7 @@ void addMergeVerb(CLI::App& app, Action& action) {
             if (arguments->output.extension() != ".exr")
                 throw InputError(
                     {"-o"}, "expected a name ending in .exr, found \"" + arguments->output.string() + "\"");
+            requireOther(arguments->output, arguments->parts);
             const image::ExrFile whole = truth::merge(arguments->parts);
             image::writeExr(arguments->output, whole.image, whole.metadata);
         };

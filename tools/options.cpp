@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <charconv>
 
 #include "text/diagnostics.h"
@@ -69,11 +70,15 @@ std::pair<std::string, std::string> splitAssignment(const std::string& option, c
     return {text.substr(0, equals), text.substr(equals + 1)};
 }
 
-void GraphArguments::requireOther(const std::filesystem::path& output) const {
+void requireOther(const std::filesystem::path& output, std::span<const std::filesystem::path> inputs) {
     std::error_code missing;  // a file that is not there yet is another one
-    for (const std::filesystem::path& input : {graph, scene})
+    for (const std::filesystem::path& input : inputs)
         if (!output.empty() && !input.empty() && std::filesystem::equivalent(output, input, missing))
             throw InputError({output.string()}, "this file is read, and would be overwritten");
+}
+
+void GraphArguments::requireOther(const std::filesystem::path& output) const {
+    tools::requireOther(output, std::array{graph, scene});
 }
 
 truth::Part partOf(const std::string& text) {

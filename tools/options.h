@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,10 @@ graph::Extent pictureSize(const std::string& text, const std::string& option = "
 /// -1 for 2^64 - 1, and every number that is too large for the same.
 CLI::Validator wholeNumber(std::uint64_t least, std::uint64_t most);
 
+/// Throws InputError if the output is one of the files that are read, which would be lost. Empty paths are
+/// none.
+void requireOther(const std::filesystem::path& output, std::span<const std::filesystem::path> inputs);
+
 /// What names a graph, a scene and an output size.
 struct GraphArguments {
     std::filesystem::path graph;
@@ -32,7 +37,7 @@ struct GraphArguments {
     void addTo(CLI::App& verb);
     /// See pictureSize.
     graph::Extent extent() const { return pictureSize(size); }
-    /// Throws InputError if the output is the graph's or the scene's file, which would be lost.
+    /// The same for the graph's and the scene's file.
     void requireOther(const std::filesystem::path& output) const;
 };
 

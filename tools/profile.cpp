@@ -152,6 +152,7 @@ std::string jsonOf(const std::string& model, const Profile& profile) {
 }
 
 void printProfile(const ProfileArguments& arguments) {
+    requireOther(arguments.json, {&arguments.layers, 1});
     // Before the photons, so that an hour of them does not end at a folder that is not there.
     std::optional<image::OutputFile> json;
     if (!arguments.json.empty()) json.emplace(arguments.json);

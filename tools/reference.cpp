@@ -80,6 +80,8 @@ void reference(const ReferenceArguments& arguments) {
     catchInterrupts();
     const scene::Scene scene =
         runtime::loadScene(arguments.scene, arguments.time, runtime::DataFolders::find());
+    for (const std::filesystem::path& output : {arguments.output, arguments.standardErrors})
+        requireOther(output, scene.files());
     warn(scene, request.estimator.mode);
     ProgressBar bar("reference");
     truth::Watcher watcher;

@@ -69,13 +69,15 @@ void requireDistinctFiles(const std::vector<Target>& targets, const std::filesys
         throw InputError({twice->string()}, "two outputs would be written to this file");
 }
 
-/// Tries each output before the first frame is rendered, so that a failure leaves nothing behind. Devices and
-/// pipes are written in place and cannot be tried.
-void tryOutputs(const std::vector<Target>& targets, const std::filesystem::path& timings) {
+/// Tries each output before the first frame is rendered, so that a failure leaves nothing behind, nor
+/// anything that is read is lost. Devices and pipes are written in place and cannot be tried.
+void tryOutputs(const std::vector<Target>& targets, const std::filesystem::path& timings,
+                const std::vector<std::filesystem::path>& inputs) {
     std::vector<std::filesystem::path> files;
     for (const Target& target : targets) files.push_back(target.file.of(0));
     if (!timings.empty()) files.push_back(timings);
     for (const std::filesystem::path& file : files) {
+        requireOther(file, inputs);
         std::error_code ignored;
         const auto status = std::filesystem::status(file, ignored);
         if (!std::filesystem::is_other(status)) image::OutputFile trial(file);
@@ -265,7 +267,7 @@ void render(const RenderArguments& arguments) {
     runtime::Session session(sessionOptions(arguments));
     printWarnings(session);
     requireOutput(session, arguments);
-    tryOutputs(targets, arguments.timings);
+    tryOutputs(targets, arguments.timings, session.files());
 
     timings::Report report = emptyReport(arguments, session);
     report.warmup = arguments.warmup.value_or(arguments.timings.empty() ? 0 : 3);

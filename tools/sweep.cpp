@@ -23,8 +23,18 @@ struct SweepArguments {
     std::vector<std::filesystem::path> passPaths;
 };
 
+/// The tables must not replace what they are made from: a sweep file may well be called sweep.json.
+void requireOtherTables(const sweep::Sweep& sweep, const std::filesystem::path& folder) {
+    std::vector<std::filesystem::path> inputs{sweep.file};
+    for (const sweep::SweepGraph& graph : sweep.graphs) inputs.push_back(graph.file);
+    for (const sweep::SweepScene& scene : sweep.scenes)
+        inputs.insert(inputs.end(), {scene.file, scene.reference, scene.secondHalf});
+    for (const char* table : {"sweep.json", "sweep.csv"}) requireOther(folder / table, inputs);
+}
+
 void sweepRuns(const SweepArguments& arguments) {
     const sweep::Sweep sweep = sweep::readSweep(arguments.file);
+    requireOtherTables(sweep, arguments.folder);
     sweep::SweepOptions options{arguments.folder, {}, arguments.passPaths, arguments.device, commit};
     if (!arguments.part.empty()) options.part = partOf(arguments.part);
     catchInterrupts();

@@ -144,8 +144,20 @@ TEST(TimingDump, IsReadWithItsRows) {
     EXPECT_EQ(read.series[2].name, "wall");
 }
 
+TEST(TimingDump, IsToldFromOtherFilesInOneLine) {
+    for (const auto& [text, whatItIs] :
+         {std::pair{"[]", ""}, std::pair{R"({"name": "a graph", "nodes": {}, "outputs": {}})", ""},
+          std::pair{R"({"otherData": {"device": "d"}, "traceEvents": []})", " in JSON but a Chrome trace"}}) {
+        EXPECT_THAT(tests::faultsOf([&] { readDump(json::parse(text, "d.json")); }),
+                    ElementsAre(std::string("d.json: error: this is no timings file") + whatItIs +
+                                ": render --timings F.json writes what is compared"));
+    }
+}
+
 TEST(TimingDump, NamesWhatIsWrong) {
-    expectFault("@[]", "a timing dump");
+    expectFault("@{" + wall + R"(, "driver": "e", "scene": "s", "width": 1, "height": 2, "profiled": true,
+        "passes": [], "rows": []})",
+                "a timing dump needs \"device\"");
     expectFault("@{" + head + ", " + wall + ", \"passes\": []}", "needs \"rows\"");
     expectFault("{" + head + ", \"passes\": [], \"rows\": [], \"wallMs\": @{}}", "needs \"samples\"");
     expectFault("{" + head + ", " + wall + ", \"rows\": [], \"passes\": @1}", "expected an array");

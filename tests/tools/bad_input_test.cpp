@@ -2,11 +2,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <sstream>
+
+#include "image/exr.h"
 #include "program.h"
 
 namespace nephrite::tools::test {
 namespace {
 
+using testing::EndsWith;
 using testing::HasSubstr;
 using testing::MatchesRegex;
 using testing::Not;
@@ -43,6 +48,12 @@ class BadInput : public testing::Test {
                             const std::vector<std::string>& words) {
         place_.write("s.json", text);
         expectRefused(graphFile("gbuffer.json"), "s.json", where, words);
+    }
+
+    std::string contents(const std::string& name) const {
+        std::ostringstream text;
+        text << std::ifstream(place_.path() / name, std::ios::binary).rdbuf();
+        return text.str();
     }
 
     Workplace place_;
@@ -128,13 +139,33 @@ TEST_F(BadInput, Sizes) {
 TEST_F(BadInput, WhatIsReadIsNotWrittenOver) {
     std::filesystem::copy_file(std::filesystem::path(NEPHRITE_SOURCE_DIR) / "graphs/gbuffer.json",
                                place_.path() / "g.json");
-    const auto size = std::filesystem::file_size(place_.path() / "g.json");
-    for (const std::string arguments :
-         {"plan g.json -o g.json", "render g.json --size 8x8 --timings ./g.json"}) {
+    image::writeExr(place_.path() / "env.exr", {4, 2, {"R", "G", "B"}, std::vector<float>(24, 1.0F)});
+    place_.write("s.json", "{" + camera + R"(, "environment": {"image": "env.exr"}, "objects": []})");
+    place_.write("sweep.json", R"({"scenes": {"s": "s.json"}, "graphs": {"g": "g.json"}})");
+    place_.write("pareto.json",
+                 R"({"scenes": {"s": {"scene": "s.json"}}, "methods": {"g": {"graph": "g.json"}}})");
+    std::filesystem::copy_file(place_.path() / "g.json", place_.path() / "pareto.csv");
+    place_.write("suite.json",
+                 R"({"scenes": {"s": {"scene": "s.json"}}, "methods": {"g": {"graph": "pareto.csv"}}})");
+    for (const auto& [arguments, file] :
+         {std::pair{"plan g.json -o g.json", "g.json"},
+          std::pair{"render g.json --size 8x8 --timings ./g.json", "g.json"},
+          std::pair{"render g.json --scene s.json --size 8x8 -o env.exr", "env.exr"},
+          std::pair{"reference s.json --mode single --spp 2 --size 8x8 -o env.exr", "env.exr"},
+          std::pair{"reference s.json --mode single --spp 2 --size 8x8 -o o.exr --stderr env.exr", "env.exr"},
+          std::pair{"merge env.exr other.exr -o ./env.exr", "env.exr"},
+          std::pair{"compare env.exr g.json --json g.json", "g.json"},
+          std::pair{"profile --model montecarlo --layers g.json --radii 1 --json g.json", "g.json"},
+          std::pair{"sweep sweep.json -o .", "sweep.json"},
+          std::pair{"bench pareto pareto.json -o .", "pareto.json"},
+          std::pair{"bench pareto pareto.json --json s.json", "s.json"},
+          std::pair{"bench pareto suite.json -o .", "pareto.csv"}}) {
+        const std::string before = contents(file);
         const Answer answer = place_.run(arguments);
         EXPECT_EQ(answer.status, 2) << arguments;
-        EXPECT_THAT(answer.errors, HasSubstr("g.json: error: this file is read"));
-        EXPECT_EQ(std::filesystem::file_size(place_.path() / "g.json"), size);
+        EXPECT_THAT(answer.errors,
+                    EndsWith(std::string(file) + ": error: this file is read, and would be overwritten\n"));
+        EXPECT_EQ(contents(file), before) << arguments;
     }
 }
 

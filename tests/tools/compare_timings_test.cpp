@@ -84,17 +84,31 @@ TEST_F(CompareTimings, WritesATableAndWarns) {
 }
 
 TEST_F(CompareTimings, RefusesWhatIsNoDump) {
-    place_.write("a.json", "{}");
+    place_.write("a.json", R"({"wallMs": {"samples": []}})");
+    place_.write("a.csv", "name,gpuMedianMs\nwall,1\n");
     place_.write("broken.json", "{\"device\": }");
     for (const auto& [arguments, message] :
          {std::pair{"none.json a.json", "none.json: error: "},
           std::pair{"broken.json a.json", "broken.json:1:12: "},
           std::pair{"a.json a.json", "a.json:1:1: error: a timing dump needs \"device\""},
-          std::pair{"a.json", "after"}, std::pair{"a.json a.json --threshold -1", "--threshold"},
+          std::pair{"a.csv a.json",
+                    "a.csv: error: this is no timings file in JSON but CSV: render --timings F.json"},
+          std::pair{"none.csv a.json", "none.csv: error: cannot be read"}, std::pair{"a.json", "after"},
+          std::pair{"a.json a.json --threshold -1", "--threshold"},
           std::pair{"a.json a.json --least nan", "--least"}}) {
         const Answer answer = place_.run(std::string("bench compare-timings ") + arguments);
         EXPECT_EQ(answer.status, 2) << arguments;
         EXPECT_THAT(answer.errors, HasSubstr(message)) << arguments;
+    }
+}
+
+TEST_F(CompareTimings, LeavesWhatItComparesAlone) {
+    place_.write("a.json", "{}");
+    place_.write("b.json", "{}");
+    for (const std::string file : {"a.json", "./b.json"}) {
+        const Answer answer = place_.run("bench compare-timings a.json b.json --json " + file);
+        EXPECT_EQ(answer.status, 2);
+        EXPECT_EQ(answer.errors, file + ": error: this file is read, and would be overwritten\n");
     }
 }
 

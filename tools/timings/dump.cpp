@@ -79,14 +79,34 @@ class DumpReader {
     Dump dump_;
 };
 
+InputError noDump(const std::string& file, std::string_view whatItIs) {
+    return {
+        {file},
+        fmt::format("this is no timings file{}: render --timings F.json writes what is compared", whatItIs)};
+}
+
+/// Every report has the times of whole frames, so a file without any is not one with faults.
+void requireDump(const Value& value) {
+    if (value.isObject() && value.find("wallMs")) return;
+    const bool isTrace = value.isObject() && value.find("traceEvents");
+    throw noDump(value.where().file, isTrace ? " in JSON but a Chrome trace" : "");
+}
+
 }  // namespace
 
 Dump readDump(const Value& value) {
+    requireDump(value);
     return DumpReader(value).read();
 }
 
 Dump readDump(const std::filesystem::path& file) {
-    return readDump(json::parseFile(file));
+    try {
+        return readDump(json::parseFile(file));
+    } catch (const InputError& error) {
+        const bool isText = error.faults().front().where.line > 0;
+        if (isText && file.extension() == ".csv") throw noDump(file.string(), " in JSON but CSV");
+        throw;
+    }
 }
 
 }  // namespace nephrite::timings

@@ -28,7 +28,8 @@ struct Dump {
     std::vector<Series> series;  ///< passes in their order, then "recording", "waiting" and "wall"
 };
 
-/// Throws InputError with every fault of what is needed; other keys are not looked at.
+/// Throws InputError with every fault of what is needed, or one line if it is something else altogether;
+/// other keys are not looked at.
 Dump readDump(const json::Value& value);
 Dump readDump(const std::filesystem::path& file);
 
