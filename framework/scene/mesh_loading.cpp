@@ -7,7 +7,7 @@
 #include <map>
 
 #include "scene/mesh/load.h"
-#include "scene/mesh/procedural.h"
+#include "scene/procedural_reader.h"
 
 namespace nephrite::scene {
 namespace {

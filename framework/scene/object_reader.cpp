@@ -4,11 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <glm/geometric.hpp>
 
+#include "scene/deformation_reader.h"
 #include "scene/material_reader.h"
 #include "scene/scene_keys.h"
+#include "scene/shape_keys.h"
 #include "scene/value_rules.h"
 
 namespace nephrite::scene {
@@ -17,7 +18,11 @@ namespace {
 using json::ObjectReader;
 using json::Value;
 
-constexpr std::array<std::string_view, 6> animationTypes{"clip", "rotate", "path", "twist", "bend", "pulse"};
+std::vector<std::string_view> animationTypes() {
+    std::vector<std::string_view> types{"clip", "rotate", "path"};
+    for (const keys::Kind& kind : keys::deformation()) types.push_back(kind.name);
+    return types;
+}
 
 void readModel(const Value& value, const std::filesystem::path& models, MeshDescription& mesh,
                Diagnostics& diagnostics) {
@@ -116,8 +121,9 @@ class AnimationReader {
         ObjectReader object(value, "an animation", diagnostics_);
         const auto type = object.required("type");
         if (!type) return std::nullopt;
-        const auto word = readWord(*type, "an animation's type", animationTypes, diagnostics_);
-        return word ? std::optional(animationTypes[*word]) : std::nullopt;
+        const std::vector<std::string_view> known = animationTypes();
+        const auto word = readWord(*type, "an animation's type", known, diagnostics_);
+        return word ? std::optional(known[*word]) : std::nullopt;
     }
 
     void readClip(const Value& value, AnimationDescription& animation) {

@@ -1,9 +1,8 @@
 // The scene's JSON Schema, from the key tables and the rules that the readers use.
 #include "scene/scene_schema.h"
 
-#include "scene/mesh/deformation.h"
-#include "scene/mesh/procedural.h"
 #include "scene/scene_keys.h"
+#include "scene/shape_keys.h"
 #include "scene/value_rules.h"
 #include "text/json_schema.h"
 
@@ -23,54 +22,17 @@ constexpr std::string_view choices = R"({
                             {"$ref": "#/definitions/path"}, {"$ref": "#/definitions/deformation"}]}
 })";
 
-/// Shapes made by formula, and the lengths each has (procedural_reader.cpp).
-constexpr std::string_view procedural = R"({
-    "description": "A shape made by formula.",
-    "anyOf": [
-        {"type": "object", "required": ["procedural"], "additionalProperties": false, "properties": {
-            "procedural": {"enum": ["sphere"]},
-            "radius": {"allOf": [{"$ref": "#/definitions/length"}], "description": "Radius; default 1."}}},
-        {"type": "object", "required": ["procedural", "size"], "additionalProperties": false, "properties": {
-            "procedural": {"enum": ["slab"]},
-            "size": {"type": "array", "minItems": 3, "maxItems": 3, "items": {"$ref": "#/definitions/length"},
-                     "description": "Sides along x, y and z."}}},
-        {"type": "object", "required": ["procedural"], "additionalProperties": false, "properties": {
-            "procedural": {"enum": ["teapot"]}}},
-        {"type": "object", "required": ["procedural"], "additionalProperties": false, "properties": {
-            "procedural": {"enum": ["cube"]},
-            "size": {"allOf": [{"$ref": "#/definitions/length"}], "description": "Every side; default 1."}}},
-        {"type": "object", "required": ["procedural"], "additionalProperties": false, "properties": {
-            "procedural": {"enum": ["plane"]},
-            "size": {"type": "array", "minItems": 2, "maxItems": 2, "items": {"$ref": "#/definitions/length"},
-                     "description": "Sides along x and z; default 1."}}},
-        {"type": "object", "required": ["procedural"], "additionalProperties": false, "properties": {
-            "procedural": {"enum": ["torus"]},
-            "radius": {"allOf": [{"$ref": "#/definitions/length"}], "description": "Radius of the ring; default 1."},
-            "tube": {"allOf": [{"$ref": "#/definitions/length"}], "description": "Radius of its tube; default 0.25."}}}]
-})";
-
-/// Twists, bends and pulses, and what each can be told (deformation.cpp).
-constexpr std::string_view deformation = R"({
-    "description": "Twists, bends or swells the mesh periodically.",
-    "anyOf": [
-        {"type": "object", "required": ["type"], "additionalProperties": false, "properties": {
-            "type": {"enum": ["twist"]},
-            "axis": {"$ref": "#/definitions/direction"}, "degrees": {"$ref": "#/definitions/degrees"},
-            "period": {"$ref": "#/definitions/period"}}},
-        {"type": "object", "required": ["type"], "additionalProperties": false, "properties": {
-            "type": {"enum": ["bend"]},
-            "axis": {"$ref": "#/definitions/direction"}, "degrees": {"$ref": "#/definitions/degrees"},
-            "towards": {"$ref": "#/definitions/direction"}, "period": {"$ref": "#/definitions/period"}}},
-        {"type": "object", "required": ["type"], "additionalProperties": false, "properties": {
-            "type": {"enum": ["pulse"]},
-            "axis": {"$ref": "#/definitions/direction"}, "amount": {"$ref": "#/definitions/amount"},
-            "waves": {"$ref": "#/definitions/waves"}, "period": {"$ref": "#/definitions/period"}}}]
-})";
-
 constexpr std::string_view oneSource = R"([{"required": ["radiance"]}, {"required": ["image"]}])";
 
 Json::Value numberSchema(const NumberRule& rule) {
     return json::numberSchema(rule.least, rule.most, rule.open);
+}
+
+Json::Value anyKind(std::span<const keys::Kind> kinds, std::string_view doc) {
+    Json::Value schema(Json::objectValue);
+    schema["description"] = std::string(doc);
+    for (const keys::Kind& kind : kinds) schema["anyOf"].append(json::objectSchema(kind.keys, kind.doc));
+    return schema;
 }
 
 void defineNumbers(Json::Value& definitions) {
@@ -82,16 +44,17 @@ void defineNumbers(Json::Value& definitions) {
     definitions["fieldOfView"] = numberSchema(fieldOfView);
     definitions["unit"] = numberSchema(unitRule);
     definitions["scaleFactor"] = numberSchema(scaleRule);
-    definitions["length"] = json::numberSchema(shortestLength, longestLength);
-    definitions["degrees"] = json::numberSchema(-mostDegrees, mostDegrees);
-    definitions["waves"] = json::numberSchema(-mostWaves, mostWaves);
-    definitions["amount"] = json::numberSchema(-1, 1, true);
-    definitions["period"] = json::numberSchema(shortestPeriod, longestPeriod, true);
+    definitions["length"] = numberSchema(lengthRule);
+    definitions["degrees"] = numberSchema(degreesRule);
+    definitions["waves"] = numberSchema(wavesRule);
+    definitions["amount"] = numberSchema(amountRule);
+    definitions["period"] = numberSchema(periodRule);
     definitions["vector"] = json::arraySchema(json::definition("number"), 3);
     definitions["color"] = json::arraySchema(json::definition("notNegative"), 3);
     definitions["reflectance"] = json::arraySchema(json::definition("unitInterval"), 3);
-    definitions["direction"] =
-        json::arraySchema(json::numberSchema(-longestDirection, longestDirection, true), 3);
+    definitions["direction"] = json::arraySchema(numberSchema(directionRule), 3);
+    definitions["lengths"] = json::arraySchema(json::definition("length"), 3);
+    definitions["twoLengths"] = json::arraySchema(json::definition("length"), 2);
 }
 
 void defineObjects(Json::Value& definitions) {
@@ -110,8 +73,9 @@ void defineObjects(Json::Value& definitions) {
     definitions["clip"] = json::objectSchema(keys::clip(), "An animation of a glTF file.");
     definitions["rotation"] = json::objectSchema(keys::rotation(), "A steady turn.");
     definitions["path"] = json::objectSchema(keys::path(), "A closed path.");
-    definitions["procedural"] = json::schemaFragment(procedural);
-    definitions["deformation"] = json::schemaFragment(deformation);
+    definitions["procedural"] = anyKind(keys::procedural(), "A shape made by formula.");
+    definitions["deformation"] =
+        anyKind(keys::deformation(), "Twists, bends or swells the mesh periodically.");
 }
 
 }  // namespace

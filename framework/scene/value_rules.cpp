@@ -22,12 +22,13 @@ void readNumber(const json::Value& value, const NumberRule& rule, double& target
 }
 
 void readVector(const json::Value& value, const NumberRule& rule, glm::dvec3& target,
-                Diagnostics& diagnostics) {
-    const auto numbers = value.numbers(diagnostics, "an array of 3 numbers", 3);
+                Diagnostics& diagnostics, glm::length_t count) {
+    const auto size = static_cast<std::size_t>(count);
+    const auto numbers = value.numbers(diagnostics, fmt::format("an array of {} numbers", count), size);
     if (!numbers) return;
-    for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t i = 0; i < size; ++i)
         if (!obeys(rule, (*numbers)[i], value.at(i), diagnostics)) return;
-    target = {(*numbers)[0], (*numbers)[1], (*numbers)[2]};
+    for (glm::length_t i = 0; i < count; ++i) target[i] = (*numbers)[static_cast<std::size_t>(i)];
 }
 
 void readNumber(json::ObjectReader& object, std::string_view key, const NumberRule& rule, double& target) {

@@ -27,14 +27,25 @@ inline constexpr NumberRule fieldOfView{"an angle greater than 0 and less than 1
 inline constexpr NumberRule unitRule{"a length greater than 0 and at most 1e6", 1e-9, 1e6};
 /// Keeps a place on a path, and what is fitted or scaled, inside the range of a float.
 inline constexpr NumberRule scaleRule{"a scale greater than 0 and at most 1e6", 1e-12, 1e6};
+/// Of a procedural shape.
+inline constexpr NumberRule lengthRule{"a length from 1e-6 to 1e6", 1e-6, 1e6};
+
+// Of a deformation.
+inline constexpr NumberRule directionRule{"a number between -1e12 and 1e12", -1e12, 1e12, true};
+inline constexpr NumberRule degreesRule{"an angle from -1e6 to 1e6 degrees", -1e6, 1e6};
+/// At 1 the mesh would be flat at times, and have no normals.
+inline constexpr NumberRule amountRule{"a number greater than -1 and less than 1", -1, 1, true};
+inline constexpr NumberRule wavesRule{"a number from -1e6 to 1e6", -1e6, 1e6};
+inline constexpr NumberRule periodRule{"a time greater than 1e-6 and less than 1e9 seconds", 1e-6, 1e9, true};
 
 /// Adds a fault and returns false if a number read at `where` breaks the rule.
 bool obeys(const NumberRule& rule, double number, const json::Value& where, Diagnostics& diagnostics);
 
-/// Sets `target` from a value if that is a number (three numbers) that obeys the rule, else adds a fault.
+/// Sets `target` (the first `count` of its numbers) from a value if that is a number (so many numbers) that
+/// obeys the rule, else adds a fault.
 void readNumber(const json::Value& value, const NumberRule& rule, double& target, Diagnostics& diagnostics);
 void readVector(const json::Value& value, const NumberRule& rule, glm::dvec3& target,
-                Diagnostics& diagnostics);
+                Diagnostics& diagnostics, glm::length_t count = 3);
 
 /// The same for a member that may be missing; `target` then keeps its default.
 void readNumber(json::ObjectReader& object, std::string_view key, const NumberRule& rule, double& target);

@@ -5,6 +5,7 @@
 #include <glm/gtc/constants.hpp>
 
 #include "mesh_support.h"
+#include "scene/deformation_reader.h"
 #include "scene/mesh/animated_mesh.h"
 #include "scene/mesh/procedural.h"
 
@@ -138,11 +139,17 @@ TEST(MeshDeformation, NamesFaults) {
         return diagnostics.errors().empty() ? "" : toLine(diagnostics.errors().front());
     };
     EXPECT_EQ(fault(R"({"type": "twits"})"),
-              "s.json:1:10: error: expected twist, bend or pulse, found \"twits\", did you mean \"twist\"?");
+              "s.json:1:10: error: expected a deformation's type (\"twist\", \"bend\", \"pulse\"), found "
+              "\"twits\", did "
+              "you mean \"twist\"?");
     EXPECT_THAT(fault(R"({"type": "twist", "axis": [0, 0, 0]})"),
                 HasSubstr("s.json:1:27: error: \"axis\" needs"));
-    EXPECT_THAT(fault(R"({"type": "twist", "period": 0})"), HasSubstr("\"period\" must be greater than 0"));
-    EXPECT_THAT(fault(R"({"type": "pulse", "amount": 1})"), HasSubstr("\"amount\" must be between -1 and 1"));
+    EXPECT_THAT(fault(R"({"type": "twist", "period": 0})"),
+                HasSubstr("s.json:1:29: error: expected a time greater than 1e-6"));
+    EXPECT_THAT(fault(R"({"type": "twist", "axis": [0, 1e12, 0]})"), HasSubstr("s.json:1:31: error: "));
+    EXPECT_THAT(fault(R"({"type": "twist", "degrees": -2e6})"), HasSubstr("from -1e6 to 1e6 degrees"));
+    EXPECT_THAT(fault(R"({"type": "pulse", "waves": 2e6})"), HasSubstr("from -1e6 to 1e6"));
+    EXPECT_THAT(fault(R"({"type": "pulse", "amount": 1})"), HasSubstr("greater than -1 and less than 1"));
     EXPECT_THAT(fault(R"({"type": "pulse", "degrees": 1})"), HasSubstr("degrees"));
     EXPECT_THAT(fault(R"({"type": "bend", "towards": [0, 1, 0]})"), HasSubstr("parallel"));
 }

@@ -10,6 +10,7 @@
 #include "mesh_support.h"
 #include "scene/mesh/prepare.h"
 #include "scene/mesh/procedural.h"
+#include "scene/procedural_reader.h"
 
 namespace nephrite::scene::test {
 namespace {
@@ -195,6 +196,9 @@ TEST(MeshProcedural, ReadsItsScenes) {
                              R"({"procedural": "plane"})", R"({"procedural": "torus", "tube": 0.5})"}) {
         EXPECT_TRUE(read(text, diagnostics)) << text;
     }
+    const std::optional<Mesh> floor = read(R"({"procedural": "plane", "size": [2, 5]})", diagnostics);
+    ASSERT_TRUE(floor);
+    EXPECT_DOUBLE_EQ(surfaceArea(*floor), 10.0);
     EXPECT_THAT(diagnostics.errors(), IsEmpty());
 }
 
@@ -205,14 +209,19 @@ TEST(MeshProcedural, NamesFaults) {
         return diagnostics.errors().empty() ? "" : toLine(diagnostics.errors().front());
     };
     EXPECT_EQ(fault(R"({"procedural": "spere"})"),
-              "s.json:1:16: error: unknown procedural mesh \"spere\", did you mean \"sphere\"?");
+              "s.json:1:16: error: expected a procedural mesh (\"sphere\", \"slab\", \"teapot\", \"cube\", "
+              "\"plane\", "
+              "\"torus\"), found \"spere\", did you mean \"sphere\"?");
     EXPECT_THAT(fault(R"({"procedural": "sphere", "radius": -1})"),
-                HasSubstr("s.json:1:36: error: \"radius\" must be"));
+                HasSubstr("s.json:1:36: error: expected a length from 1e-6 to 1e6, found -1"));
     EXPECT_THAT(fault(R"({"procedural": "sphere", "radius": "x"})"), HasSubstr("s.json:1:36: error:"));
     EXPECT_THAT(fault(R"({"procedural": "sphere", "raduis": 1})"), HasSubstr("did you mean \"radius\"?"));
     EXPECT_THAT(fault(R"({"procedural": "slab"})"), HasSubstr("\"size\""));
     EXPECT_THAT(fault(R"({"procedural": "slab", "size": [1, 2]})"), HasSubstr("s.json:1:32: error:"));
-    EXPECT_THAT(fault(R"({"procedural": "slab", "size": [1, 0, 2]})"), HasSubstr("\"size\" must be"));
+    EXPECT_THAT(fault(R"({"procedural": "slab", "size": [1, 0, 2]})"),
+                HasSubstr("s.json:1:36: error: expected a length"));
+    EXPECT_THAT(fault(R"({"procedural": "plane", "size": [1, 2, 3]})"), HasSubstr("an array of 2 numbers"));
+    EXPECT_THAT(fault(R"({"procedural": "cube", "radius": 1})"), HasSubstr("unknown key \"radius\""));
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 #include "graph/description.h"
 #include "graph/linked_graph.h"
 #include "graph/schema.h"
-#include "scene/mesh/procedural.h"
+#include "scene/procedural_reader.h"
 #include "scene/scene.h"
 #include "scene/scene_description.h"
 #include "scene/scene_schema.h"

@@ -1,16 +1,11 @@
 // Twist, bend and pulse: positions by formula, normals by the cofactor matrix of the same formula's Jacobian.
 #include "scene/mesh/deformation.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
 namespace nephrite::scene {
 namespace {
-
-constexpr std::string_view kindNames[] = {"twist", "bend", "pulse"};
 
 struct Moved {
     glm::dvec3 position;
@@ -130,105 +125,7 @@ void apply(const Move& move, const glm::dvec3& center, Pose& pose) {
     }
 }
 
-class Reader {
-  public:
-    Reader(const json::Value& value, Diagnostics& diagnostics)
-        : object_(value, "a deformation", diagnostics) {}
-
-    Deformation read() {
-        readKind();
-        readVector("axis", result_.axis);
-        if (result_.kind == DeformationKind::bend) readTowards();
-        if (result_.kind == DeformationKind::pulse) {
-            readNumber(
-                "amount", result_.amount, [](double v) { return v > -1.0 && v < 1.0; }, "between -1 and 1");
-            readNumber(
-                "waves", result_.waves, [](double v) { return std::abs(v) <= mostWaves; }, "at most 1e6");
-        } else {
-            readNumber(
-                "degrees", result_.degrees, [](double v) { return std::abs(v) <= mostDegrees; },
-                "at most 1e6");
-        }
-        readNumber(
-            "period", result_.period, [](double v) { return v > shortestPeriod && v < longestPeriod; },
-            "greater than 0");
-        object_.finish();
-        return result_;
-    }
-
-  private:
-    void readKind() {
-        const std::optional<json::Value> type = object_.required("type");
-        if (!type) return;
-        const std::optional<std::string> name = type->string(object_.diagnostics(), "a deformation's type");
-        if (!name) return;
-        for (std::size_t i = 0; i < std::size(kindNames); ++i) {
-            if (*name != kindNames[i]) continue;
-            result_.kind = static_cast<DeformationKind>(i);
-            return;
-        }
-        object_.diagnostics().error(type->where(),
-                                    fmt::format("expected twist, bend or pulse, found \"{}\"{}", *name,
-                                                suggestion(*name, kindNames)));
-    }
-
-    void readVector(std::string_view key, glm::dvec3& vector) {
-        const std::optional<json::Value> value = object_.optional(key);
-        if (!value) return;
-        const auto numbers = value->numbers(object_.diagnostics(), "a direction [x, y, z]", 3);
-        if (!numbers) return;
-        const glm::dvec3 read((*numbers)[0], (*numbers)[1], (*numbers)[2]);
-        const double length = glm::length(read);
-        if (!(length > 1e-12 && length < longestDirection)) {
-            object_.diagnostics().error(
-                value->where(), fmt::format("\"{}\" needs a direction, found {}", key, value->sourceText()));
-            return;
-        }
-        vector = read / length;
-    }
-
-    void readTowards() {
-        const std::optional<json::Value> value = object_.optional("towards");
-        if (value) {
-            readVector("towards", result_.towards);
-        } else if (std::abs(glm::dot(result_.axis, result_.towards)) > 0.9) {
-            result_.towards = {0.0, 1.0, 0.0};
-        }
-        if (glm::length(glm::cross(result_.axis, result_.towards)) < 1e-6) {
-            object_.diagnostics().error(value ? value->where() : object_.value().where(),
-                                        "\"towards\" must not be parallel to \"axis\"");
-        }
-    }
-
-    void readNumber(std::string_view key, double& number, bool (*allowed)(double), std::string_view rule) {
-        const std::optional<json::Value> value = object_.optional(key);
-        if (!value) return;
-        const std::optional<double> read = value->number(object_.diagnostics(), "a number");
-        if (!read) return;
-        if (!allowed(*read)) {
-            object_.diagnostics().error(value->where(),
-                                        fmt::format("\"{}\" must be {}, found {}", key, rule, *read));
-            return;
-        }
-        number = *read;
-    }
-
-    json::ObjectReader object_;
-    Deformation result_;
-};
-
 }  // namespace
-
-bool isDeformation(std::string_view type) {
-    return std::find(std::begin(kindNames), std::end(kindNames), type) != std::end(kindNames);
-}
-
-std::optional<Deformation> readDeformation(const json::Value& value, Diagnostics& diagnostics) {
-    const std::size_t faults = diagnostics.errors().size();
-    const Deformation deformation = Reader(value, diagnostics).read();
-    if (diagnostics.errors().size() != faults) return std::nullopt;
-    return deformation;
-}
 
 void deform(const Deformation& deformation, const Box& restBox, double seconds, Pose& pose) {
     const Frame frame = frameOf(deformation, restBox);

@@ -17,13 +17,10 @@
 #pragma once
 
 #include <glm/glm.hpp>
-#include <optional>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "scene/mesh/mesh.h"
-#include "text/json.h"
 
 namespace nephrite::scene {
 
@@ -44,21 +41,6 @@ struct Deformation {
     double waves = 1.0;                 ///< pulse: wavelengths along the axis
     double period = 2.0;                ///< seconds
 };
-
-// What a scene may ask of a deformation: amounts between -1 and 1, up to so many degrees and waves either
-// way, and periods between these.
-inline constexpr double longestDirection = 1e12;
-inline constexpr double mostDegrees = 1e6;
-inline constexpr double mostWaves = 1e6;
-inline constexpr double shortestPeriod = 1e-6;
-inline constexpr double longestPeriod = 1e9;
-
-/// True if `type` is an animation type this file reads: "twist", "bend" or "pulse".
-bool isDeformation(std::string_view type);
-
-/// Reads a scene's `{"type": "twist"|"bend"|"pulse", "axis", "towards", "degrees", "amount", "waves",
-/// "period"}`. Adds every fault to `diagnostics` and returns nothing if there is one.
-std::optional<Deformation> readDeformation(const json::Value& value, Diagnostics& diagnostics);
 
 /// Deforms `pose` in place; `restBox` is the bounding box of the rest pose.
 void deform(const Deformation& deformation, const Box& restBox, double seconds, Pose& pose);

@@ -9,6 +9,7 @@
 #include <charconv>
 #include <exception>
 #include <glm/gtc/type_ptr.hpp>
+#include <optional>
 
 #include "scene/mesh/gltf.h"
 

@@ -3,16 +3,10 @@
 #pragma once
 
 #include <glm/glm.hpp>
-#include <optional>
 
 #include "scene/mesh/mesh.h"
-#include "text/json.h"
 
 namespace nephrite::scene {
-
-// Lengths that a scene may give a procedural mesh.
-inline constexpr double shortestLength = 1e-6;
-inline constexpr double longestLength = 1e6;
 
 /// A sphere about the origin, of 160 x 320 facets (latitude x longitude): 101,760 triangles without the
 /// degenerate ones at the poles. No point of it is farther than 1e-4 radius from the true sphere. Texture
@@ -32,11 +26,5 @@ Mesh torus(float radius, float tube);
 
 /// A square in y = 0 facing +y, `size` wide in x and z. An open mesh.
 Mesh plane(glm::vec2 size);
-
-/// Reads `{"procedural": "sphere", "radius": 10}` and makes it: sphere (radius, default 1), slab (size [x, y,
-/// z], required), cube (size, a number, default 1), plane (size [x, z], default [1, 1]), torus (radius 1,
-/// tube 0.25), teapot. Adds every fault to `diagnostics` (an unknown name with a suggestion) and returns
-/// nothing if there is one.
-std::optional<Mesh> readProcedural(const json::Value& value, Diagnostics& diagnostics);
 
 }  // namespace nephrite::scene
