@@ -40,12 +40,8 @@ void Draft::build() {
 
     const Clock::time_point afterReading = Clock::now();
     if (request.readGraph) draft.programs.readFilesAnew();
-    const scene::Facts facts = draft.scene->facts();
-    buildPrograms(makePlan(draft.planning(), draft.content, facts, draft.programs), draft.content,
-                  draft.programs);
-    if (draft.options.auditSkips)
-        buildPrograms(makePlanWithoutSkipping(draft.planning(), draft.content, facts), draft.content,
-                      draft.programs);
+    buildPrograms(makePlans(draft.planning(), draft.content, draft.scene->facts(), draft.programs),
+                  draft.content, draft.programs);
     draft.times.driverMs = draft.programs.buildMs();
     draft.times.compileMs = millisecondsSince(afterReading) - draft.times.driverMs;
 }

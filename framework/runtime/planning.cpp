@@ -33,8 +33,6 @@ void omitBarrier(graph::Plan& plan, std::uint32_t index) {
     barriers[index].writeBefore = false;
 }
 
-}  // namespace
-
 graph::Plan makePlan(const PlanningContext& context, const GraphContent& content, const scene::Facts& facts,
                      ProgramCache& programs) {
     const SessionOptions& options = context.options;
@@ -49,19 +47,32 @@ graph::Plan makePlan(const PlanningContext& context, const GraphContent& content
     return plan;
 }
 
-graph::Plan makePlanWithoutSkipping(const PlanningContext& context, const GraphContent& content,
-                                    const scene::Facts& facts) {
+graph::Plan planWithoutSkipping(const PlanningContext& context, const GraphContent& content,
+                                const scene::Facts& facts) {
     graph::CompileRequest request = requestOf(context, content, facts);
     request.skip = false;
     return graph::compile(request);
 }
 
-void buildPrograms(const graph::Plan& plan, const GraphContent& content, ProgramCache& programs) {
+void buildPrograms(const graph::Plan& plan, const graph::ParameterValues& values, ProgramCache& programs) {
     for (const graph::PlannedPass& pass : plan.passes) {
         if (pass.iterations == 0) continue;
-        programs.programOf(plan, pass,
-                           nodeInterface(plan, pass, *content.values, programs.context().filterable));
+        programs.programOf(plan, pass, nodeInterface(plan, pass, values, programs.context().filterable));
     }
+}
+
+}  // namespace
+
+Plans makePlans(const PlanningContext& context, const GraphContent& content, const scene::Facts& facts,
+                ProgramCache& programs) {
+    Plans plans{makePlan(context, content, facts, programs), std::nullopt};
+    if (context.options.auditSkips) plans.plain = planWithoutSkipping(context, content, facts);
+    return plans;
+}
+
+void buildPrograms(const Plans& plans, const GraphContent& content, ProgramCache& programs) {
+    buildPrograms(plans.plan, *content.values, programs);
+    if (plans.plain) buildPrograms(*plans.plain, *content.values, programs);
 }
 
 }  // namespace nephrite::runtime

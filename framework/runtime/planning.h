@@ -1,6 +1,8 @@
 // From a session's graph and scene to the plan of its frames.
 #pragma once
 
+#include <optional>
+
 #include "runtime/graph_content.h"
 #include "runtime/program_cache.h"
 
@@ -13,16 +15,18 @@ struct PlanningContext {
     const SessionOptions& options;
 };
 
-/// The plan to carry out. To keep the right results, what each shader reads of the scene must be known, so a
-/// first plan tells which shaders there are. Throws InputError or RunError.
-graph::Plan makePlan(const PlanningContext& context, const GraphContent& content, const scene::Facts& facts,
-                     ProgramCache& programs);
+/// The plans of one graph and scene.
+struct Plans {
+    graph::Plan plan;                  ///< to carry out
+    std::optional<graph::Plan> plain;  ///< without skipping: what an audit compares with
+};
 
-/// What an audit compares with.
-graph::Plan makePlanWithoutSkipping(const PlanningContext& context, const GraphContent& content,
-                                    const scene::Facts& facts);
+/// To keep the right results, what each shader reads of the scene must be known, so a first plan tells which
+/// shaders there are. Throws InputError or RunError.
+Plans makePlans(const PlanningContext& context, const GraphContent& content, const scene::Facts& facts,
+                ProgramCache& programs);
 
-/// Builds every program of a plan that is not there yet. Throws InputError or RunError.
-void buildPrograms(const graph::Plan& plan, const GraphContent& content, ProgramCache& programs);
+/// Builds every program of the plans that is not there yet. Throws InputError or RunError.
+void buildPrograms(const Plans& plans, const GraphContent& content, ProgramCache& programs);
 
 }  // namespace nephrite::runtime
