@@ -17,13 +17,15 @@ struct Point {
 
 /// A node is a header above two columns of ports: inputs on the left, outputs on the right.
 struct DrawingStyle {
-    float nodeWidth = 200;
-    float headerHeight = 44;
-    float rowHeight = 17;          ///< of a port
-    float pictureHeight = 44;      ///< of an output's row with a picture in it
-    float padding = 6;             ///< below the last row
-    float columnGap = 110;         ///< between nodes side by side; the labels of edges stand in it
-    float nodeGap = 12;            ///< between nodes one above the other
+    float nodeWidth = 190;
+    float headerHeight = 42;
+    float rowHeight = 14;      ///< of a port
+    float pictureHeight = 40;  ///< of an output's row with a picture in it
+    float padding = 6;         ///< below the last row
+    float columnGap = 100;     ///< between nodes side by side; the labels of edges stand in it
+    float nodeGap = 16;        ///< between nodes one above the other
+    float paneWidth = 1040;    ///< of where it is to be seen whole
+    float paneHeight = 520;
     std::vector<bool> pictures{};  ///< by output port (LinkedNode::formats): its row holds a picture; empty:
                                    ///< none does
 };
@@ -67,9 +69,10 @@ struct GraphDrawing {
     std::vector<DrawnEdge> edges;
 };
 
-/// Columns from left to right as data flows. Lists of tiles that are not made, and imports that nobody reads,
-/// are left out. 300 nodes take about a tenth of a second. Graphviz lays it out: one thread at a time. Throws
-/// RunError if there are more than 2000 nodes.
+/// Columns from left to right as data flows, in as many bands, one below the other, as let the style's pane
+/// show it largest. Edges from one port run together until they part. Lists of tiles that are not made, and
+/// imports that nobody reads, are left out. 300 nodes take some hundredths of a second. Throws RunError if
+/// there are more than 2000 nodes.
 GraphDrawing drawGraph(const Plan& plan, const DrawingStyle& style = {});
 
 }  // namespace nephrite::graph

@@ -3,6 +3,9 @@
 
 #include <json/writer.h>
 
+#include <algorithm>
+#include <map>
+
 #include "graph/plan_page.h"
 #include "graph/plan_words.h"
 
@@ -76,6 +79,41 @@ Json::Value summaryAsJson(const Plan& plan) {
     return json;
 }
 
+bool isSame(const Point& a, const Point& b) {
+    return a.x == b.x && a.y == b.y;
+}
+
+/// By edge: the edge before it that leaves the same port, or noIndex.
+std::vector<Index> edgesBefore(const GraphDrawing& drawing) {
+    std::vector<Index> before;
+    std::map<std::pair<Index, Index>, Index> lastOfPort;
+    for (Index i = 0; i < drawing.edges.size(); ++i) {
+        const DrawnEdge& edge = drawing.edges[i];
+        const auto [last, isFirst] = lastOfPort.try_emplace({edge.from, edge.output}, i);
+        before.push_back(isFirst ? noIndex : last->second);
+        last->second = i;
+    }
+    return before;
+}
+
+/// Edges of one port start alike, often for most of their length: "along" names the one before and "shared"
+/// how many points are taken from it.
+void addCurve(const GraphDrawing& drawing, Index index, Index before, Json::Value& json) {
+    const std::vector<Point>& curve = drawing.edges[index].curve;
+    auto own = curve.begin();
+    if (before != noIndex) {
+        const std::vector<Point>& other = drawing.edges[before].curve;
+        own = std::mismatch(curve.begin(), curve.end(), other.begin(), other.end(), isSame).first;
+        json["along"] = before;
+        json["shared"] = static_cast<Json::UInt64>(own - curve.begin());
+    }
+    json["curve"] = Json::arrayValue;
+    for (; own != curve.end(); ++own) {
+        json["curve"].append(own->x);
+        json["curve"].append(own->y);
+    }
+}
+
 std::vector<bool> portsWithPictures(const PlanMeasurements& measurements) {
     std::vector<bool> ports;
     for (const PortPicture& picture : measurements.pictures) ports.push_back(!picture.png.empty());
@@ -100,7 +138,9 @@ std::string withoutLessThan(const std::string& json) {
 
 Json::Value edgesAsJson(const PageSource& source) {
     Json::Value edges(Json::arrayValue);
-    for (const DrawnEdge& edge : source.drawing.edges) {
+    const std::vector<Index> before = edgesBefore(source.drawing);
+    for (Index i = 0; i < source.drawing.edges.size(); ++i) {
+        const DrawnEdge& edge = source.drawing.edges[i];
         Json::Value json;
         json["from"] = edge.from;
         json["to"] = edge.to;
@@ -109,10 +149,7 @@ Json::Value edgesAsJson(const PageSource& source) {
         json["kind"] = std::string(name(edge.kind));
         if (edge.resource != noIndex) json["resource"] = edge.resource;
         json["label"] = edge.label;
-        for (const Point& point : edge.curve) {
-            json["curve"].append(point.x);
-            json["curve"].append(point.y);
-        }
+        addCurve(source.drawing, i, before[i], json);
         json["labelStart"].append(edge.labelStart.x);
         json["labelStart"].append(edge.labelStart.y);
         edges.append(std::move(json));

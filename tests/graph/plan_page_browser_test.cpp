@@ -181,10 +181,89 @@ TEST_F(PlanPageInBrowser, OddNamesAreTextAndNothingElse) {
     CompileRequest odd = request();
     odd.graph = {std::shared_ptr<const void>(new auto(std::pair(owner, graph))), graph.get()};
     open(compile(odd));
-    EXPECT_EQ(text(".node .name"), name);
+    EXPECT_EQ(text("#passes tbody button"), name);
     EXPECT_EQ(count("img"), 0);
     browser_->click(".node");
     EXPECT_EQ(text("#details h2"), name);
+    expectNoComplaint();
+}
+
+/// What is wrong with the names of the nodes as they stand on the screen: too small, out of their boxes,
+/// broken in a word, or shortened to something that is not the name's two ends. One line each.
+constexpr const char* faultsOfNames = R"js((() => {
+    const faults = [];
+    for (const box of document.querySelectorAll(".node")) {
+        const name = box.dataset.name, shown = box.querySelector(".name");
+        const size = parseFloat(getComputedStyle(shown).fontSize) * view.zoom;
+        if (!(size >= 11)) faults.push(`${name}: ${size} px`);
+        const outer = box.getBoundingClientRect(), inner = document.createRange();
+        inner.selectNodeContents(shown);
+        const text = inner.getBoundingClientRect();
+        if (text.width === 0 || text.right > outer.right || text.bottom > outer.bottom)
+            faults.push(`${name}: not in its box`);
+        if (!box.title.includes(name)) faults.push(`${name}: no tooltip`);
+        const words = shown.textContent;
+        const [head, tail] = words.split("\u2026");
+        if (tail !== undefined && !(head.length >= 3 && tail.length >= 3 && name.startsWith(head) && name.endsWith(tail)))
+            faults.push(`${name}: shortened to ${words}`);
+        if (tail === undefined && words.replaceAll("\n", "") !== name) faults.push(`${name}: is ${words}`);
+        if (words.split("\n").slice(0, -1).some((line) => !/[-_. (]$/.test(line)))
+            faults.push(`${name}: broken into ${words}`);
+    }
+    return faults.slice(0, 5).join("; ");
+})())js";
+
+/// A pass that reads tiles, with names that are too long for a box.
+std::string longNames() {
+    return R"({"nodes": {
+        "base": {"pass": "draw"}, "a-name-of-several-words": {"pass": "measure", "in": {"a": "base.color"}},
+        "last": {"pass": "summary", "in": {"sums": "a-name-of-several-words.sums"}},
+        "anamewithoutanyplacewhereitcouldbebroken": {"pass": "blend", "in": {"a": "last.color", "b": "base.color"}}},
+        "outputs": {"color": "anamewithoutanyplacewhereitcouldbebroken.color"}})";
+}
+
+TEST_F(PlanPageInBrowser, NamesCanBeReadFromTheStartAndWhileZooming) {
+    open(planOf(longNames()));
+    EXPECT_EQ(browser_->evaluate(faultsOfNames).asString(), "");
+    for (const double zoom : {0.45, 0.6, 1.0, 2.5}) {
+        browser_->evaluate("zoomAt(" + std::to_string(zoom) + " / view.zoom)");
+        EXPECT_EQ(browser_->evaluate(faultsOfNames).asString(), "") << "at zoom " << zoom;
+    }
+    expectNoComplaint();
+}
+
+TEST_F(PlanPageInBrowser, ASmallGraphFillsItsPane) {
+    open(examplePlan());
+    const Json::Value shares = browser_->evaluate(
+        "[plan.drawing.width * view.zoom / graph.clientWidth, plan.drawing.height * view.zoom / "
+        "graph.clientHeight]");
+    EXPECT_LE(shares[0].asDouble(), 1);
+    EXPECT_LE(shares[1].asDouble(), 1);
+    EXPECT_GT(std::max(shares[0].asDouble(), shares[1].asDouble()), 0.85);
+    EXPECT_GT(shares[0].asDouble() * shares[1].asDouble(), 0.35);
+}
+
+TEST_F(PlanPageInBrowser, WheelDragAndKeysMoveTheGraph) {
+    open(examplePlan());
+    const std::string place = "[view.x, view.y, view.zoom].map((value) => value.toFixed(3)).join()";
+    const std::string whole = browser_->evaluate(place).asString();
+    browser_->evaluate(
+        "graph.dispatchEvent(new WheelEvent('wheel', {deltaY: -300, clientX: 300, clientY: 300}))");
+    const double zoom = browser_->evaluate("view.zoom").asDouble();
+    EXPECT_GT(zoom, std::stod(whole.substr(whole.rfind(',') + 1)));
+    const double x = browser_->evaluate("view.x").asDouble();
+    browser_->evaluate("graph.dispatchEvent(new PointerEvent('pointerdown', {clientX: 300, clientY: 300}))");
+    browser_->evaluate("dispatchEvent(new PointerEvent('pointermove', {clientX: 340, clientY: 300}))");
+    browser_->evaluate("dispatchEvent(new PointerEvent('pointerup'))");
+    EXPECT_NEAR(browser_->evaluate("view.x").asDouble(), x + 40, 1e-6);
+    browser_->press("ArrowRight");
+    EXPECT_LT(browser_->evaluate("view.x").asDouble(), x + 40);
+    browser_->press("f");
+    EXPECT_EQ(browser_->evaluate(place).asString(), whole);
+    browser_->press("-");
+    EXPECT_LT(browser_->evaluate("view.zoom").asDouble(), zoom);
+    browser_->click("#fit");
+    EXPECT_EQ(browser_->evaluate(place).asString(), whole);
     expectNoComplaint();
 }
 
@@ -206,11 +285,26 @@ TEST_F(PlanPageInBrowser, ThreeHundredNodesAreLaidOutInLessThanThreeSeconds) {
     EXPECT_LT(written + shown, 3000);
     EXPECT_EQ(count(".node:not(.output)"), 300);
     EXPECT_EQ(count(".node.culled"), 90);  // 30 %
+    EXPECT_EQ(browser_->evaluate(faultsOfNames).asString(), "");
+    EXPECT_EQ(count("#overview:not(.hidden)"), 1) << "there is more than what is seen";
+    const Json::Value first = browser_->evaluate(
+        "(() => { const box = passNodes[0].element.getBoundingClientRect(), pane = "
+        "graph.getBoundingClientRect(); "
+        "return box.left >= pane.left && box.top >= pane.top && box.right <= pane.right && box.bottom <= "
+        "pane.bottom; })()");
+    EXPECT_TRUE(first.asBool()) << "what runs first is seen first";
     browser_->press("/");
     browser_->type("p150");
     browser_->press("Enter");
     EXPECT_EQ(names(".node.selected"), "p150");
-    EXPECT_GE(browser_->evaluate("view.zoom").asDouble(), 0.3) << "large enough to be read";
+    EXPECT_EQ(browser_->evaluate(faultsOfNames).asString(), "");
+    browser_->press("Escape");
+    browser_->press("f");
+    EXPECT_LT(browser_->evaluate("view.zoom").asDouble(), 0.42) << "all of it, too small for names";
+    browser_->press("/");
+    browser_->type("p151");
+    browser_->press("Enter");
+    EXPECT_EQ(browser_->evaluate(faultsOfNames).asString(), "") << "large enough to be read again";
     expectNoComplaint();
 }
 

@@ -34,13 +34,6 @@ function pictureOf(output, className) {
   return element("img", {src: output.picture, alt: "", className, title: `${output.name}: ${output.scale}`});
 }
 
-/** The largest size at which a name stays within a box, on one line or broken after its parts. */
-function nameSizeWithin(name, width, height) {
-  const sizeOf = (parts) =>
-    Math.min(1.3 * width / Math.max(...parts.map((part) => part.length)), 0.8 * height / parts.length);
-  return Math.max(13, sizeOf([name]), sizeOf(name.split(/(?<=[-.(_ ])/)));
-}
-
 function drawNode(node) {
   const [x, y, width, height] = node.box;
   const time = node.gpuMs === undefined ? "" : msInWords(node.gpuMs);
@@ -48,14 +41,13 @@ function drawNode(node) {
     className: `node ${node.state}`,
     tabIndex: 0,
     dataset: {name: node.name},
-    style: {left: `${x}px`, top: `${y}px`, width: `${width}px`, height: `${height}px`,
-      "--fitting-size": `${nameSizeWithin(node.name, width, height)}px`},
+    style: {left: `${x}px`, top: `${y}px`, width: `${width}px`, height: `${height}px`},
   });
   box.setAttribute("role", "button");
   box.setAttribute("aria-label", `${node.name}: ${states[node.state]}, ${node.why}${time ? `, ${time}` : ""}`);
   box.title = `${node.name}: ${states[node.state]}: ${node.why}`;
-  box.append(element("div", {className: "head"},
-      element("div", {className: "name"}, node.name),
+  node.nameElement = element("div", {className: "name"});
+  box.append(element("div", {className: "head"}, node.nameElement,
       element("div", {className: "sub"},
           element("span", {}, doesRun(node) ? `${node.pass ?? ""} ${node.type}` : `${states[node.state]} ${node.type}`),
           element("span", {className: "time"}, time))));

@@ -156,7 +156,7 @@ function start() {
   addEventListener("keydown", onKey);
   openTab("timeline");
   select(null);
-  fit();
+  openView();
   // After the frame that first shows it: how long a reader waits.
   requestAnimationFrame(() => setTimeout(() => {
     document.documentElement.dataset.readyMs = performance.now().toFixed(0);

@@ -52,6 +52,10 @@ function reach(start, backwards) {
   return found;
 }
 
+// Edges that leave one port start alike: the data has those points once.
+for (const edge of plan.edges)
+  if (edge.along !== undefined) edge.curve.unshift(...plan.edges[edge.along].curve.slice(0, 2 * edge.shared));
+
 const edgesInto = nodes.map(() => []);
 const edgesFrom = nodes.map(() => []);
 for (const edge of plan.edges) {

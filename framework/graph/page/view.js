@@ -1,16 +1,27 @@
-// Pan, zoom and the small overview. Text that would be too small to read gives way to larger names.
+// Pan, zoom and the small overview. What would be too small to read gives way to names that are not.
 
 const graph = document.getElementById("graph");
 const overview = document.getElementById("overview");
 const view = {x: 0, y: 0, zoom: 1};
 const zoomRange = [0.02, 4];
+// From which zoom on there is room for ports and labels, for times, and for names.
+const zoomFor = {ports: 0.85, times: 0.55, names: 0.42};
+const margin = 20;
+
+function detailAt(zoom) {
+  return zoom >= zoomFor.ports ? "near" : zoom >= zoomFor.times ? "middle" : zoom >= zoomFor.names ? "far" : "outline";
+}
 
 function applyView() {
   plane.style.transform = `translate(${view.x}px, ${view.y}px) scale(${view.zoom})`;
-  const detail = view.zoom >= 0.55 ? "near" : view.zoom >= 0.3 ? "middle" : "far";
-  plane.className = detail;
-  plane.style.setProperty("--name-size", `${detail === "near" ? 13 : 11.5 / view.zoom}px`);
-  plane.style.setProperty("--pixel", `${1 / view.zoom}px`);
+  const detail = detailAt(view.zoom);
+  if (view.zoom !== view.drawnZoom) {
+    view.drawnZoom = view.zoom;
+    plane.className = detail;
+    plane.style.setProperty("--sub-size", `${Math.max(11, 10.5 / view.zoom)}px`);
+    plane.style.setProperty("--pixel", `${1 / view.zoom}px`);
+    if (detail !== "outline") fitNames(view.zoom, detail === "near");
+  }
   drawOverview();
 }
 
@@ -37,17 +48,29 @@ function fit() {
   const top = Math.min(...boxes.map((box) => box[1]));
   const width = Math.max(...boxes.map((box) => box[0] + box[2])) - left;
   const height = Math.max(...boxes.map((box) => box[1] + box[3])) - top;
-  const margin = 24;
   const zoom = Math.min((graph.clientWidth - 2 * margin) / width, (graph.clientHeight - 2 * margin) / height);
-  view.zoom = Math.min(Math.max(zoom, zoomRange[0]), 1.25);
+  view.zoom = Math.min(Math.max(zoom, zoomRange[0]), 1.5);
   view.x = (graph.clientWidth - width * view.zoom) / 2 - left * view.zoom;
   view.y = (graph.clientHeight - height * view.zoom) / 2 - top * view.zoom;
   applyView();
 }
 
+/** All of it if its names can be read then; else where it starts, with names, and the overview for the rest. */
+function openView() {
+  fit();
+  if (view.zoom >= zoomFor.names) return;
+  const first = nodes.find((node) => node.pass === 0) ?? nodes[0];
+  view.zoom = zoomFor.times;
+  const within = (start, extent, room) => Math.min(Math.max(start, room - extent - margin), margin);
+  view.x = within(graph.clientWidth / 3 - first.box[0] * view.zoom, plan.drawing.width * view.zoom, graph.clientWidth);
+  view.y = within(graph.clientHeight / 2 - (first.box[1] + first.box[3] / 2) * view.zoom,
+      plan.drawing.height * view.zoom, graph.clientHeight);
+  applyView();
+}
+
 /** Brings a node into view; zooms in where its name could not be read. */
 function reveal(node) {
-  if (view.zoom < 0.3) view.zoom = 0.6;
+  if (view.zoom < zoomFor.names) view.zoom = zoomFor.times;
   const [x, y, width, height] = node.box;
   const left = x * view.zoom + view.x;
   const top = y * view.zoom + view.y;
