@@ -42,6 +42,23 @@ Window findNamed(Display* display, const std::string& ending) {
     return 0;
 }
 
+/// A window that comes while the manager starts may be overlooked by it, and GLFW then waits for it for ever.
+void waitForManager(Display* display) {
+    const Atom property = XInternAtom(display, "_NET_SUPPORTING_WM_CHECK", False);
+    for (int i = 0; i < 200; ++i) {
+        Atom type = None;
+        int format = 0;
+        unsigned long count = 0, left = 0;
+        unsigned char* value = nullptr;
+        XGetWindowProperty(display, DefaultRootWindow(display), property, 0, 1, False, AnyPropertyType, &type,
+                           &format, &count, &left, &value);
+        if (value != nullptr) XFree(value);
+        if (type != None) return;
+        std::this_thread::sleep_for(50ms);
+    }
+    throw std::runtime_error("openbox does not start");
+}
+
 }  // namespace
 
 Process::Process(std::vector<std::string> command) {
@@ -76,6 +93,7 @@ Screen::Screen() {
     if (display_ == nullptr) throw std::runtime_error("Xvfb does not start");
     XSetErrorHandler([](Display*, XErrorEvent*) { return 0; });  // windows come and go while one looks
     manager_ = std::make_unique<Process>(std::vector<std::string>{"openbox"});
+    waitForManager(display_);
 }
 
 Screen::~Screen() {
