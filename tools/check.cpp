@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "graph/description.h"
-#include "runtime/graph_loading.h"
+#include "runtime/loading/graph_loading.h"
 #include "scene/material_reader.h"
 #include "text/json.h"
 #include "verbs.h"

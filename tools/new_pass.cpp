@@ -7,7 +7,7 @@
 #include <iterator>
 
 #include "image/output_file.h"
-#include "runtime/graph_loading.h"
+#include "runtime/loading/graph_loading.h"
 #include "verbs.h"
 
 namespace nephrite::tools {

@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "graph/pass_listing.h"
-#include "runtime/graph_loading.h"
+#include "runtime/loading/graph_loading.h"
 #include "verbs.h"
 
 namespace nephrite::tools {

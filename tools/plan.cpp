@@ -12,8 +12,8 @@
 #include "image/output_file.h"
 #include "options.h"
 #include "plan_measurement.h"
-#include "runtime/graph_loading.h"
-#include "runtime/imports.h"
+#include "runtime/loading/graph_loading.h"
+#include "runtime/resources/imports.h"
 #include "text/fault_lines.h"
 #include "verbs.h"
 

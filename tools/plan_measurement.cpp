@@ -9,8 +9,8 @@
 
 #include "graph/plan_page.h"
 #include "image/thumbnail.h"
-#include "runtime/graph_loading.h"
-#include "runtime/time_statistics.h"
+#include "runtime/frame/time_statistics.h"
+#include "runtime/loading/graph_loading.h"
 
 namespace nephrite::tools {
 namespace {

@@ -11,7 +11,7 @@
 #include "interrupt.h"
 #include "options.h"
 #include "progress_bar.h"
-#include "runtime/graph_loading.h"
+#include "runtime/loading/graph_loading.h"
 #include "truth/reference_run.h"
 #include "truth/run_record.h"
 #include "verbs.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "runtime/draft.h"
-#include "runtime/planning.h"
+#include "runtime/planning/planning.h"
 #include "scene/scene.h"
 
 namespace nephrite::runtime {

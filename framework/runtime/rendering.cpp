@@ -1,8 +1,8 @@
 // Changing from one plan to the next, and rendering with and without skipping.
 #include "runtime/rendering.h"
 
-#include "runtime/audit.h"
-#include "runtime/plan_equality.h"
+#include "runtime/frame/audit.h"
+#include "runtime/planning/plan_equality.h"
 
 namespace nephrite::runtime {
 

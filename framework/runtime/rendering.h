@@ -4,8 +4,8 @@
 
 #include <memory>
 
-#include "runtime/executor.h"
-#include "runtime/planning.h"
+#include "runtime/frame/executor.h"
+#include "runtime/planning/planning.h"
 #include "runtime/shown.h"
 
 namespace nephrite::runtime {

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "runtime/graph_loading.h"
+#include "runtime/loading/graph_loading.h"
 
 namespace nephrite::runtime {
 namespace {

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "gpu/device.h"
-#include "runtime/data_folders.h"
-#include "runtime/program_context.h"
-#include "runtime/session.h"
+#include "runtime/loading/data_folders.h"
+#include "runtime/planning/session_options.h"
+#include "runtime/program/program_context.h"
 
 namespace nephrite::runtime {
 

@@ -1,7 +1,7 @@
 // Handing out the images of a session: read back, or where they are on the device.
 #include <fmt/format.h>
 
-#include "runtime/readback.h"
+#include "runtime/resources/readback.h"
 #include "runtime/session_state.h"
 
 namespace nephrite::runtime {

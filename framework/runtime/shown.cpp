@@ -4,7 +4,7 @@
 #include <chrono>
 #include <utility>
 
-#include "runtime/graph_loading.h"
+#include "runtime/loading/graph_loading.h"
 
 namespace nephrite::runtime {
 

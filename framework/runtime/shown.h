@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "runtime/graph_content.h"
+#include "runtime/planning/graph_content.h"
 #include "runtime/session_device.h"
 #include "scene/gpu_scene.h"
 #include "scene/scene.h"

@@ -8,7 +8,7 @@
 #include "document/live_graph.h"
 #include "graph/compatible_types.h"
 #include "runtime/every_graph.h"
-#include "runtime/graph_loading.h"
+#include "runtime/loading/graph_loading.h"
 #include "runtime/pass_folder.h"
 #include "runtime/reload/live_reload.h"
 #include "text/faults.h"

@@ -10,7 +10,7 @@
 #include "document/graph_document.h"
 #include "graph/compatible_types.h"
 #include "graph/controls.h"
-#include "runtime/graph_loading.h"
+#include "runtime/loading/graph_loading.h"
 #include "scratch_folder.h"
 
 namespace nephrite::document {

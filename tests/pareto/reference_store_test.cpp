@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "runtime/graph_loading.h"
+#include "runtime/loading/graph_loading.h"
 #include "scratch_folder.h"
 
 namespace nephrite::pareto {

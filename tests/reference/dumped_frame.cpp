@@ -7,8 +7,8 @@
 #include <stdexcept>
 
 #include "graph/format.h"
-#include "runtime/data_folders.h"
-#include "runtime/graph_loading.h"
+#include "runtime/loading/data_folders.h"
+#include "runtime/loading/graph_loading.h"
 #include "scratch_folder.h"
 #include "text/json.h"
 

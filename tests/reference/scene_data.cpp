@@ -8,8 +8,8 @@
 #include <stdexcept>
 
 #include "image/exr.h"
-#include "runtime/data_folders.h"
-#include "runtime/graph_loading.h"
+#include "runtime/loading/data_folders.h"
+#include "runtime/loading/graph_loading.h"
 #include "scene/environment.h"
 #include "scene/scene.h"
 #include "scene/view.h"

@@ -1,7 +1,7 @@
 // Rewriting of load(PORT, ...) and its kin.
 #include <gtest/gtest.h>
 
-#include "runtime/node_interface.h"
+#include "runtime/interface/node_interface.h"
 
 namespace nephrite::runtime {
 namespace {

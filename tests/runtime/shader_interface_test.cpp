@@ -2,7 +2,7 @@
 // every parameter type, mips, layers, buffers, integers, neutral inputs, for both ways of reading images.
 #include <gtest/gtest.h>
 
-#include "runtime/image_port.h"
+#include "runtime/interface/image_port.h"
 #include "runtime/session.h"
 #include "scratch_folder.h"
 

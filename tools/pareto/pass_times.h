@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "graph/plan.h"
-#include "runtime/time_statistics.h"
-#include "runtime/timings.h"
+#include "runtime/frame/time_statistics.h"
+#include "runtime/frame/timings.h"
 
 namespace nephrite::pareto {
 

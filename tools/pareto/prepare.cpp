@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "graph/value_readers.h"
-#include "runtime/graph_loading.h"
+#include "runtime/loading/graph_loading.h"
 
 namespace nephrite::pareto {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "pareto/measure.h"
 #include "pareto/reference_store.h"
-#include "runtime/graph_loading.h"
+#include "runtime/loading/graph_loading.h"
 
 namespace nephrite::pareto {
 namespace {

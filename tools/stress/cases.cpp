@@ -4,8 +4,8 @@
 #include <array>
 #include <exception>
 
-#include "runtime/data_folders.h"
-#include "runtime/graph_loading.h"
+#include "runtime/loading/data_folders.h"
+#include "runtime/loading/graph_loading.h"
 #include "stress/axes.h"
 #include "stress/cpu.h"
 #include "stress/laws.h"

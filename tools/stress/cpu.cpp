@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "runtime/graph_loading.h"
+#include "runtime/loading/graph_loading.h"
 #include "scattering/better_dipole.h"
 #include "scattering/burley.h"
 #include "scattering/dipole.h"

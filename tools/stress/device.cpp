@@ -9,8 +9,8 @@
 
 #include "graph/format.h"
 #include "graph/modifiers.h"
-#include "runtime/data_folders.h"
-#include "runtime/graph_loading.h"
+#include "runtime/loading/data_folders.h"
+#include "runtime/loading/graph_loading.h"
 #include "runtime/session.h"
 
 namespace nephrite::stress {

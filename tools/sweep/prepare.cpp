@@ -8,7 +8,7 @@
 #include "graph/value_readers.h"
 #include "image/exr.h"
 #include "image/metrics/color_planes.h"
-#include "runtime/graph_loading.h"
+#include "runtime/loading/graph_loading.h"
 
 namespace nephrite::sweep {
 namespace {

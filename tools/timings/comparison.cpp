@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "runtime/time_statistics.h"
+#include "runtime/frame/time_statistics.h"
 #include "text/diagnostics.h"
 
 namespace nephrite::timings {

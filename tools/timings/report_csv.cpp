@@ -1,7 +1,7 @@
 // A report as comma-separated values.
 #include <fmt/format.h>
 
-#include "runtime/time_statistics.h"
+#include "runtime/frame/time_statistics.h"
 #include "timings/rows.h"
 
 namespace nephrite::timings {

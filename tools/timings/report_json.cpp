@@ -1,7 +1,7 @@
 // A report as JSON: docs/measuring.md has the keys.
 #include <cmath>
 
-#include "runtime/time_statistics.h"
+#include "runtime/frame/time_statistics.h"
 #include "text/json_write.h"
 #include "timings/rows.h"
 

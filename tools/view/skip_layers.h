@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "graph/plan.h"
-#include "runtime/timings.h"
+#include "runtime/frame/timings.h"
 
 namespace nephrite::view {
 

@@ -11,7 +11,7 @@
 #include "image/exr.h"
 #include "image/png.h"
 #include "image/tone_map.h"
-#include "runtime/graph_loading.h"
+#include "runtime/loading/graph_loading.h"
 #include "scene/scene.h"
 
 namespace nephrite::view {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "graph/plan.h"
-#include "runtime/image_port.h"
-#include "runtime/node_interface.h"
+#include "runtime/interface/image_port.h"
+#include "runtime/interface/node_interface.h"
 
 namespace nephrite::runtime {
 

@@ -1,8 +1,8 @@
 // main() of a node's shader, around the function that its author writes.
 #include <fmt/format.h>
 
-#include "runtime/glsl_template.h"
 #include "runtime/interface/draft.h"
+#include "runtime/interface/glsl_template.h"
 
 namespace nephrite::runtime {
 namespace {

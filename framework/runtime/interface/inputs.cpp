@@ -1,8 +1,8 @@
 // A node's input ports in GLSL.
 #include <fmt/format.h>
 
-#include "runtime/glsl_template.h"
 #include "runtime/interface/draft.h"
+#include "runtime/interface/glsl_template.h"
 
 namespace nephrite::runtime {
 namespace {
