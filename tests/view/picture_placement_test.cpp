@@ -99,9 +99,9 @@ bool overlap(const Area& a, const Area& b) {
 
 TEST(Layout, PartsTouchButDoNotOverlap) {
     for (const auto& [width, height] : {std::pair{640.0, 480.0}, {1024.0, 768.0}, {2560.0, 1440.0}}) {
-        for (const bool below : {true, false}) {
+        for (const LowerPart lower : {LowerPart::Hidden, LowerPart::Low, LowerPart::High}) {
             for (const double scale : {1.0, 2.0}) {
-                const Layout layout = layOut(width, height, 30 * scale, scale, below);
+                const Layout layout = layOut(width, height, 30 * scale, scale, lower);
                 const std::array parts{layout.bar, layout.controls, layout.picture, layout.inspector,
                                        layout.timings};
                 double covered = 0;

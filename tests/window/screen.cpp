@@ -132,6 +132,14 @@ void Screen::drag(unsigned long window, int fromX, int fromY, int toX, int toY) 
     press(1, false);
 }
 
+void Screen::doubleClick(unsigned long window, int x, int y) const {
+    move(window, x, y);
+    for (int i = 0; i < 2; ++i) {
+        press(1, true);
+        press(1, false);
+    }
+}
+
 void Screen::wheel(unsigned long window, int x, int y, int steps) const {
     constexpr unsigned up = 4, down = 5;
     move(window, x, y);

@@ -37,6 +37,7 @@ class Screen {
     unsigned long windowNamed(const std::string& ending) const;
     /// Drags the left button from one place of a window to another, in pixels.
     void drag(unsigned long window, int fromX, int fromY, int toX, int toY) const;
+    void doubleClick(unsigned long window, int x, int y) const;
     void wheel(unsigned long window, int x, int y, int steps) const;
     void resize(unsigned long window, unsigned width, unsigned height) const;
     void minimise(unsigned long window) const;

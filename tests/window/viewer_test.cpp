@@ -69,6 +69,24 @@ TEST_F(ViewerWindow, TheMouseMovesTheCamera) {
     quit();
 }
 
+TEST_F(ViewerWindow, ADoubleClickInTheGraphShowsANode) {
+    const image::Image first = picture();
+    EXPECT_EQ(viewer_->tell("tab graph"), "ok");
+    EXPECT_EQ(viewer_->tell("frame"), "ok");
+    // Columns of nodes stand left of the middle, with no more than a node's height between them.
+    bool isOther = false;
+    for (int x = 100; x <= 500 && !isOther; x += 50) {
+        screen_->doubleClick(window_, x, 600);
+        ASSERT_EQ(viewer_->tell("tab graph"), "ok") << viewer_->condition() << "; " << viewer_->errors();
+        isOther = picture().pixels != first.pixels;
+    }
+    EXPECT_TRUE(isOther);
+    screen_->wheel(window_, middleX, 600, 4);
+    screen_->drag(window_, 500, 700, 400, 650);
+    EXPECT_EQ(viewer_->tell("window graph.png"), "ok");
+    quit();
+}
+
 TEST_F(ViewerWindow, EditsAreSeenUndoneAndSaved) {
     const image::Image first = picture();
     const std::string file = viewer_->textOf("graphs/paper.json");

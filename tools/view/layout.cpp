@@ -7,15 +7,28 @@ namespace nephrite::view {
 namespace {
 
 constexpr double columnWidth = 290;
-constexpr double belowHeight = 210;
+constexpr double lowHeight = 210;
+constexpr double highShare = 0.55;  ///< of the window, below the bar
 /// Columns and what is below leave the picture at least this part of the window.
 constexpr double pictureShare = 0.4;
 
+double heightOf(LowerPart lower, double height, double scale) {
+    switch (lower) {
+        case LowerPart::Hidden:
+            return 0;
+        case LowerPart::Low:
+            return std::min(lowHeight * scale, height * (1 - pictureShare));
+        case LowerPart::High:
+            return height * highShare;
+    }
+    return 0;
+}
+
 }  // namespace
 
-Layout layOut(double width, double height, double barHeight, double scale, bool below) {
+Layout layOut(double width, double height, double barHeight, double scale, LowerPart part) {
     const double column = std::min(columnWidth * scale, width * (1 - pictureShare) / 2);
-    const double lower = below ? std::min(belowHeight * scale, (height - barHeight) * (1 - pictureShare)) : 0;
+    const double lower = heightOf(part, height - barHeight, scale);
     const double middle = std::max(height - barHeight - lower, 0.0);
     Layout layout;
     layout.bar = {0, 0, width, barHeight};

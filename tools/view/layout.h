@@ -1,6 +1,8 @@
 // Which part of the window is for what.
 #pragma once
 
+#include <cstdint>
+
 #include "view/picture_placement.h"
 
 namespace nephrite::view {
@@ -13,9 +15,12 @@ struct Layout {
     Area timings;    ///< below everything
 };
 
+/// What is below the picture: lists are content with little, a graph is not.
+enum class LowerPart : std::uint8_t { Hidden, Low, High };
+
 /// Areas for a window of that size, pixels, that touch but do not overlap. `barHeight` is what the letters
-/// need; `scale` is how much larger than usual they are. `below` is whether the part below is shown.
-Layout layOut(double width, double height, double barHeight, double scale, bool below);
+/// need; `scale` is how much larger than usual they are.
+Layout layOut(double width, double height, double barHeight, double scale, LowerPart lower);
 
 /// The left and right half of an area, with a gap.
 struct Halves {

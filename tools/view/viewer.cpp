@@ -186,8 +186,10 @@ bool Viewer::hasWork() const {
 
 void Viewer::placePictures(VkExtent2D pixels) {
     const float scale = window_.contentScale();
-    layout_ =
-        layOut(pixels.width, pixels.height, ImGui::GetFrameHeight() + 8 * scale, scale, state_.showsLower);
+    const LowerPart lower = !state_.showsLower                  ? LowerPart::Hidden
+                            : state_.openTab == LowerTab::Graph ? LowerPart::High
+                                                                : LowerPart::Low;
+    layout_ = layOut(pixels.width, pixels.height, ImGui::GetFrameHeight() + 8 * scale, scale, lower);
     const auto place = [&](const Area& area, const char* name) {
         const auto exported = bench_.session().exported(name);
         const VkExtent2D extent = exported ? exported->image->extent() : VkExtent2D{0, 0};

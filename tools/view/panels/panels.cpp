@@ -21,6 +21,7 @@ void drawLower(Viewer& viewer) {
         const auto tab = [&](const char* name, LowerTab which, void (*draw)(Viewer&)) {
             const bool isWanted = viewer.state().wantedTab == which;
             if (!ImGui::BeginTabItem(name, nullptr, isWanted ? ImGuiTabItemFlags_SetSelected : 0)) return;
+            viewer.state().openTab = which;
             draw(viewer);
             ImGui::EndTabItem();
         };
