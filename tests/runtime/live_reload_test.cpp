@@ -117,7 +117,16 @@ TEST_F(LiveReloadTest, ALinkToItselfIsAFileThatIsMissing) {
     Reload shown;
     shown.shown = true;
     shown.files = {part};
-    EXPECT_THAT(toLines(shown), testing::ElementsAre(HasSubstr("reloaded files in")));
+    EXPECT_THAT(toLines(shown), testing::ElementsAre(HasSubstr("reloaded part.glsl (gone) in")));
+}
+
+TEST_F(LiveReloadTest, NamesTheFirstFewOfManyFiles) {
+    Reload shown;
+    shown.shown = true;
+    for (const char* name : {"a.glsl", "b.glsl", "c.glsl", "d.glsl", "e.glsl"})
+        shown.files.push_back(folder_.write(name, ""));
+    EXPECT_THAT(toLines(shown),
+                testing::ElementsAre(HasSubstr("reloaded a.glsl, b.glsl, c.glsl and 2 more in")));
 }
 
 TEST_F(LiveReloadTest, HistoryGoesOn) {
