@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <optional>
 #include <span>
 
@@ -67,6 +68,17 @@ void requireDistinctFiles(const std::vector<Target>& targets, const std::filesys
     const auto twice = std::adjacent_find(files.begin(), files.end());
     if (twice != files.end())
         throw InputError({twice->string()}, "two outputs would be written to this file");
+}
+
+/// Every file that the frames are written to, and the timings.
+std::vector<std::filesystem::path> filesOf(const RenderArguments& arguments,
+                                           const std::vector<Target>& targets) {
+    std::vector<std::filesystem::path> files;
+    for (const Target& target : targets)
+        for (std::uint32_t frame = 0; frame < (target.file.isNumbered() ? arguments.frames : 1); ++frame)
+            files.push_back(target.file.of(frame));
+    if (!arguments.timings.empty()) files.push_back(arguments.timings);
+    return files;
 }
 
 /// Tries each output before the first frame is rendered, so that a failure leaves nothing behind, nor
@@ -197,16 +209,17 @@ void printWarnings(const runtime::Session& session) {
         fmt::print(stderr, "{}\n", toLine(warning, "warning"));
 }
 
+using Write = std::function<void(const Target& target, std::uint32_t frame)>;
+
 /// Renders the frames that were asked for, less the warm-up and those that an interruption leaves out, and
-/// writes what was asked for. Adds the times of the frames to the report.
+/// has written what was asked for. Adds the times of the frames to the report.
 void renderFrames(const RenderArguments& arguments, const std::vector<Target>& targets, std::uint32_t warmup,
-                  runtime::Session& session, timings::Report& report) {
+                  runtime::Session& session, timings::Report& report, const Write& write) {
     for (std::uint32_t i = 0; i < warmup && !interrupted(); ++i) session.renderFrame(arguments.time);
     for (std::uint32_t frame = 0; frame < arguments.frames && !interrupted(); ++frame) {
         timings::addFrame(report, session.renderFrame(arguments.time + frame / arguments.framesPerSecond));
         for (const Target& target : targets)
-            if (target.file.isNumbered() || frame + 1 == arguments.frames)
-                writeTarget(target, frame, arguments, session);
+            if (target.file.isNumbered() || frame + 1 == arguments.frames) write(target, frame);
     }
 }
 
@@ -219,33 +232,36 @@ void printFrames(std::span<const timings::Frame> frames) {
                frames.size() == 1 ? "" : "s", sum, frames.front().times.wallMs);
 }
 
-/// Renders and writes everything again, and the timings with these frames behind those before.
-void renderAnew(const RenderArguments& arguments, const std::vector<Target>& targets,
-                runtime::Session& session, timings::Report& report) {
-    requireOutput(session, arguments);
-    timings::usePlan(report, session.plan());
-    const std::size_t before = report.frames.size();
-    renderFrames(arguments, targets, 0, session, report);
-    printFrames(std::span(report.frames).subspan(before));
-    if (!arguments.timings.empty()) timings::write(arguments.timings, report);
-}
-
 /// What could not be rendered or written now may be after the next save; not so when the device is at fault.
-void attemptAnew(const RenderArguments& arguments, const std::vector<Target>& targets,
-                 runtime::Session& session, timings::Report& report) {
+void attempt(const runtime::Session& session, const std::function<void()>& work) {
     try {
-        renderAnew(arguments, targets, session, report);
+        work();
     } catch (const std::exception& error) {
         if (session.device().lost() || session.device().validationMessages() != 0) throw;
         for (const std::string& line : linesOf(error)) fmt::print(stderr, "{}\n", line);
     }
 }
 
+/// Renders and writes everything again, each output for itself, and the timings with these frames behind
+/// those before.
+void renderAnew(const RenderArguments& arguments, const std::vector<Target>& targets,
+                runtime::Session& session, timings::Report& report) {
+    requireOutput(session, arguments);
+    for (const std::filesystem::path& file : filesOf(arguments, targets)) requireOther(file, session.files());
+    timings::usePlan(report, session.plan());
+    const std::size_t before = report.frames.size();
+    renderFrames(arguments, targets, 0, session, report, [&](const Target& target, std::uint32_t frame) {
+        attempt(session, [&] { writeTarget(target, frame, arguments, session); });
+    });
+    printFrames(std::span(report.frames).subspan(before));
+    if (!arguments.timings.empty()) attempt(session, [&] { timings::write(arguments.timings, report); });
+}
+
 /// Renders anew whenever a file is saved, until it is interrupted.
 void keepRendering(const RenderArguments& arguments, const std::vector<Target>& targets,
                    runtime::Session& session, timings::Report& report) {
     constexpr std::chrono::milliseconds untilNextLook{100};  // at whether it was interrupted
-    runtime::LiveReload reload(session);
+    runtime::LiveReload reload(session, {}, filesOf(arguments, targets));
     while (!interrupted()) {
         if (!reload.wait(untilNextLook)) continue;
         const std::optional<runtime::Reload> saved = reload.poll();
@@ -256,7 +272,7 @@ void keepRendering(const RenderArguments& arguments, const std::vector<Target>& 
                                 fmt::format("{}", fmt::join(lines, "; "))});
         if (!saved->shown) continue;
         printWarnings(session);
-        attemptAnew(arguments, targets, session, report);
+        attempt(session, [&] { renderAnew(arguments, targets, session, report); });
     }
 }
 
@@ -272,7 +288,9 @@ void render(const RenderArguments& arguments) {
     timings::Report report = emptyReport(arguments, session);
     report.warmup = arguments.warmup.value_or(arguments.timings.empty() ? 0 : 3);
     catchInterrupts();
-    renderFrames(arguments, targets, report.warmup, session, report);
+    renderFrames(
+        arguments, targets, report.warmup, session, report,
+        [&](const Target& target, std::uint32_t frame) { writeTarget(target, frame, arguments, session); });
     const bool complete = report.frames.size() == arguments.frames;
     if (!complete && !arguments.watch)
         throw RunError(

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "graph/value_readers.h"
 #include "text/json_edit.h"
 
 namespace nephrite::graph {
@@ -98,6 +99,15 @@ GraphControls controlsOf(const LinkedGraph& graph, const ParameterValues& curren
     }
     for (Control& control : controls.parameters) decideScale(control);
     return controls;
+}
+
+void setDefaults(GraphControls& controls, std::span<const GraphParameter> file) {
+    for (Control& control : controls.parameters) {
+        const GraphParameter* declared = findNamed(file, control.name);
+        if (declared == nullptr) continue;
+        control.defaultValue = declared->value;
+        decideScale(control);
+    }
 }
 
 bool isLogarithmic(const std::array<double, 2>& range, const ParameterValue& defaultValue) {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,10 @@ struct GraphControls {
 
 /// Every parameter with its value among `current`.
 GraphControls controlsOf(const LinkedGraph& graph, const ParameterValues& current);
+
+/// Gives the graph's parameters the values of `file`, what the graph's file declares, as their defaults. For
+/// a graph that was edited since it was read.
+void setDefaults(GraphControls& controls, std::span<const GraphParameter> file);
 
 /// Whether a slider over a range should be logarithmic: the greatest magnitude in the range is at least 1,000
 /// times the size that matters. That is the least value of a range above 0; else the smallest component of

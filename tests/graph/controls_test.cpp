@@ -58,6 +58,18 @@ TEST(Controls, OfTheGraphAreWhatEverythingBoundToThemAllows) {
     EXPECT_EQ(controls.parameters[3].type, ParameterType::Float);
 }
 
+TEST(Controls, OfAnEditedGraphHaveTheFilesValuesAsDefaults) {
+    const auto edited = small();
+    GraphParameter inFile;
+    inFile.name = "n";
+    inFile.value.components = {3};
+    GraphControls controls = controlsOf(*edited, edited->values);
+    setDefaults(controls, std::array{inFile});
+    EXPECT_THAT(controls.parameters[0].defaultValue.components, ElementsAre(3));
+    EXPECT_THAT(controls.parameters[0].value.components, ElementsAre(5));
+    EXPECT_THAT(controls.parameters[3].defaultValue.components, ElementsAre(2.5)) << "not in the file yet";
+}
+
 TEST(Controls, NodesThatNoFileWritesHaveNone) {
     const auto graph = tests::linked(R"json({"imports": {"i": {"image": "i.exr"}},
         "nodes": {"s": {"pass": "shade", "in": {"surface": "import(i)"}}}, "outputs": {"color": "s.color"}})json");

@@ -139,6 +139,22 @@ TEST_F(FileWatcherTest, ALogThatStaysOpenHoldsNothingBack) {
                 Contains(file_));
 }
 
+TEST_F(FileWatcherTest, FoldersCountOnlyOnTheWayToAFile) {
+    const path file = folder_.write("sub/c.bin", "one");
+    watcher_.watch({file_, file}, false);
+    savedBy([] {});  // its folder has come
+    EXPECT_THAT(savedBy([&] { std::filesystem::create_directory(folder_.path() / "other"); }), IsEmpty());
+    EXPECT_THAT(
+        savedBy([&] { std::filesystem::rename(folder_.path() / "sub", folder_.path() / "away"); }, 2s),
+        Contains(folder_.path() / "sub"));
+}
+
+TEST_F(FileWatcherTest, WhatIsIgnoredNeverCounts) {
+    const path written = folder_.path() / "timings.json";
+    watcher_.ignore({written});
+    EXPECT_THAT(savedBy([&] { std::ofstream(written) << "{}"; }), IsEmpty());
+}
+
 TEST_F(FileWatcherTest, AFileThatIsNotThereYet) {
     const path missing = folder_.path() / "sub" / "new.bin";
     watcher_.watch({missing}, false);

@@ -94,6 +94,47 @@ TEST_F(Watch, AnOutputThatCannotBeWrittenIsNamedAndTriedAgainAtTheNextSave) {
     EXPECT_EQ(program.interrupt(), 0);
 }
 
+TEST_F(Watch, AnOutputThatCannotBeWrittenDoesNotKeepTheOthersBack) {
+    std::vector<std::string> words = arguments();
+    words.insert(words.end(), {"--dump", "flat.color=dump.exr", "--timings", "t.json"});
+    Running program(place_.path(), words);
+    EXPECT_TRUE(comesTrue([&] { return place_.isThere("t.json"); })) << program.log();
+    const auto timings = [this] { return contents(place_.path() / "t.json"); };
+    const std::string before = timings();
+    std::filesystem::remove(place_.path() / "out.exr");
+    std::filesystem::create_directory(place_.path() / "out.exr");
+    std::filesystem::remove(place_.path() / "dump.exr");
+    writeShader("2.0");
+    EXPECT_TRUE(comesTrue([&] { return timings() != before; })) << program.log();
+    EXPECT_TRUE(place_.isThere("dump.exr"));
+    EXPECT_THAT(program.log(), HasSubstr("out.exr: error: "));
+    EXPECT_EQ(program.interrupt(), 0);
+}
+
+TEST_F(Watch, WhatItWritesItselfIsNoReasonToRenderAgain) {
+    std::vector<std::string> words = arguments();
+    words.insert(words.end(), {"--timings", "t.json"});
+    Running program(place_.path(), words);
+    EXPECT_TRUE(comesTrue([&] { return place_.isThere("t.json"); })) << program.log();
+    writeShader("2.0");
+    EXPECT_TRUE(comesTrue([&] { return value() == 2; })) << program.log();
+    std::this_thread::sleep_for(500ms);
+    const std::string log = program.log();
+    EXPECT_EQ(log.find("rendered"), log.rfind("rendered")) << log;
+    EXPECT_EQ(program.interrupt(), 0);
+}
+
+TEST_F(Watch, AGraphThatBeginsToReadAnOutputIsNotRendered) {
+    Running program(place_.path(), arguments());
+    EXPECT_TRUE(comesTrue([&] { return value() == 1; }));
+    place_.write("graph.json",
+                 R"({"imports": {"before": {"image": "out.exr"}}, "nodes": {"flat": {"pass": "flat"}},
+                     "outputs": {"color": "flat.color"}})");
+    EXPECT_TRUE(comesTrue([&] { return program.log().find("this file is read") != std::string::npos; }))
+        << program.log();
+    EXPECT_EQ(program.interrupt(), 0);
+}
+
 TEST_F(Watch, AGraphWithoutThePictureIsNamedAndGoesOn) {
     Running program(place_.path(), arguments());
     EXPECT_TRUE(comesTrue([&] { return value() == 1; }));

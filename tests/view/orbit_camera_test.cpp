@@ -116,6 +116,14 @@ TEST(OrbitCamera, AFramedSphereTouchesTheEdges) {
                 std::sin(std::atan(std::tan(M_PI / 6) / 2)), 1e-12);
 }
 
+TEST(OrbitCamera, IsNotPannedOutOfTheWorld) {
+    OrbitCamera camera(lookingAlongZ());
+    for (const double step : {1e308, -1e308, 1e20}) camera.pan(step, step);
+    expectNear(camera.description().position, {0, 0, 40});
+    camera.pan(1e4, 0);
+    EXPECT_LT(camera.description().target.x, -40e4);
+}
+
 TEST(OrbitCamera, NothingToFrameChangesNothing) {
     OrbitCamera camera(lookingAlongZ());
     camera.frame({}, 100, 100);

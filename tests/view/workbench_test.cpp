@@ -1,7 +1,7 @@
 // Changes of what a window would show, without the window.
 #include "view/workbench.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include "scratch_folder.h"
 #include "text/diagnostics.h"
@@ -30,6 +30,11 @@ class WorkbenchTest : public testing::Test {
         return options;
     }
 
+    static std::string valuedWith(const std::string& value, const std::string& greatest) {
+        return R"({"parameters": {"k": {"value": )" + value + R"(, "range": [0, )" + greatest +
+               R"(]}}, "nodes": {"fill": {"pass": "even", "forEach": "mips"}}, "outputs": {"color": "fill.color"}})";
+    }
+
     const std::string text_ =
         R"({"nodes": {"fill": {"pass": "even", "forEach": "mips"}}, "outputs": {"color": "fill.color"}})";
     ScratchFolder folder_;
@@ -48,6 +53,31 @@ TEST_F(WorkbenchTest, AnEditThatCannotBeShownIsNotMade) {
     folder_.write("passes/even.glsl", "broken");
     EXPECT_THROW(bench_.undo(), InputError) << "the pass of before has been broken since";
     EXPECT_NE(bench_.document().text(), text_);
+}
+
+TEST_F(WorkbenchTest, SaysWhatBecameOfEditsWhenOthersSavedToo) {
+    const std::string file = folder_.write("valued.json", valuedWith("1", "9"));
+    runtime::SessionOptions valued = options();
+    valued.graph = file;
+    Workbench bench(valued, [] {});
+    bench.set("k", "4", document::Gesture::Starts);
+    EXPECT_EQ(bench.document().savedParameters().at(0).value.components.at(0), 1);
+    EXPECT_TRUE(bench.takeNotes().empty());
+    folder_.write("valued.json", valuedWith("2", "9"));
+    bench.save();
+    EXPECT_THAT(bench.takeNotes(), testing::ElementsAre(testing::HasSubstr("the edit here stands")));
+    bench.set("k", "7", document::Gesture::Starts);
+    folder_.write("valued.json", valuedWith("3", "5"));
+    bench.save();
+    EXPECT_THAT(bench.takeNotes(), testing::ElementsAre(testing::HasSubstr("was dropped")));
+    EXPECT_TRUE(bench.takeNotes().empty());
+}
+
+TEST_F(WorkbenchTest, KnowsWhichFilesItReads) {
+    EXPECT_TRUE(bench_.reads(folder_.path() / "graph.json"));
+    EXPECT_TRUE(bench_.reads(folder_.path() / "passes/even.glsl"));
+    EXPECT_FALSE(bench_.reads(folder_.write("passes/dark.txt", "")));
+    EXPECT_FALSE(bench_.reads(folder_.path() / "new.exr"));
 }
 
 TEST_F(WorkbenchTest, LevelsAndLayersAreThoseOfThePort) {

@@ -24,6 +24,7 @@ class ViewerWindow : public testing::Test {
         viewer_ = std::make_unique<test::RunningViewer>();
         window_ = screen_->windowNamed("paper.json - Nephrite");
         ASSERT_NE(window_, 0U) << viewer_->condition() << "; " << viewer_->errors();
+        ASSERT_EQ(viewer_->tell("capture first.exr"), "ok") << viewer_->errors();
         ASSERT_EQ(viewer_->tell("frame"), "ok") << viewer_->errors();
         std::this_thread::sleep_for(300ms);  // the window manager is done with it
     }
@@ -87,6 +88,19 @@ TEST_F(ViewerWindow, ADoubleClickInTheGraphShowsANode) {
     quit();
 }
 
+TEST_F(ViewerWindow, TheFirstCommandSeesThePicture) {
+    EXPECT_GT(meanOf(image::readExr(viewer_->folder() / "first.exr").image), 0.01);
+    EXPECT_THAT(viewer_->tell("faults"), "ok");
+    EXPECT_THAT(viewer_->tell("set nothing=1"), HasSubstr("no parameter"));
+    EXPECT_THAT(viewer_->tell("faults"), HasSubstr("no parameter")) << "asking changes nothing";
+    EXPECT_EQ(viewer_->tell("exposure 1"), "ok");
+    EXPECT_THAT(viewer_->tell("exposure 1e300"), HasSubstr("expected a factor from 0 to 1e+30"));
+    EXPECT_EQ(viewer_->tell("show mip(light.depth, 0)"), "ok");
+    EXPECT_EQ(viewer_->tell("set taps = 12"), "ok");
+    EXPECT_EQ(viewer_->tell("quit"), "ok");
+    EXPECT_EQ(viewer_->waitForEnd(), 0);
+}
+
 TEST_F(ViewerWindow, EditsAreSeenUndoneAndSaved) {
     const image::Image first = picture();
     const std::string file = viewer_->textOf("graphs/paper.json");
@@ -133,6 +147,8 @@ TEST_F(ViewerWindow, NothingTypedIntoItEndsIt) {
     EXPECT_THAT(viewer_->tell("window graphs/paper.json"), HasSubstr("ends in .png"));
     EXPECT_THAT(viewer_->tell("capture graphs/paper.json"), HasSubstr("ends in .exr"));
     EXPECT_EQ(viewer_->textOf("graphs/paper.json"), graph);
+    EXPECT_EQ(viewer_->tell("reference first.exr"), "ok");
+    EXPECT_THAT(viewer_->tell("capture first.exr"), HasSubstr("a file that is not read"));
     quit();
 }
 

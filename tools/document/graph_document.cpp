@@ -70,6 +70,7 @@ GraphDocument::GraphDocument(std::filesystem::path file, std::shared_ptr<const g
     : file_(std::move(file)),
       passTypes_(std::move(passTypes)),
       saved_(json::parseFile(file_)),
+      savedParameters_(graph::readGraph(saved_).parameters),
       root_(saved_),
       graph_(link(root_)),
       versions_{{text(), {}, {}}} {}

@@ -38,6 +38,8 @@ class GraphDocument {
     const std::string& savedText() const {
         return saved_.document().text;
     }  ///< as on disk, as far as is known
+    /// The graph's parameters as the file on disk declares them, as far as is known.
+    const std::vector<graph::GraphParameter>& savedParameters() const { return savedParameters_; }
     bool isModified() const { return text() != savedText(); }
 
     /// The graph of the edited text. It keeps its pass types alive; another one with each edit.
@@ -99,11 +101,13 @@ class GraphDocument {
     json::Value lastWithNodeOn(const std::string& node) const;
     graph::Index indexOf(const std::string& node) const;
     json::Path pathOf(const std::string& target) const;
+    void noteSaved(const json::Value& saved);
     void rebaseVersions(const json::Value& theirs);
 
     std::filesystem::path file_;
     std::shared_ptr<const graph::PassLibrary> passTypes_;
     json::Value saved_;
+    std::vector<graph::GraphParameter> savedParameters_;
     json::Value root_;
     std::shared_ptr<const graph::LinkedGraph> graph_;
     std::vector<Version> versions_;  ///< the oldest first

@@ -60,8 +60,13 @@ Rebase GraphDocument::reload() {
     rebaseVersions(theirs);
     graph_ = std::move(graph);
     root_ = std::move(now.root);
-    saved_ = theirs;
+    noteSaved(theirs);
     return std::move(now.report);
+}
+
+void GraphDocument::noteSaved(const json::Value& saved) {
+    savedParameters_ = graph::readGraph(saved).parameters;
+    saved_ = saved;
 }
 
 void GraphDocument::rebaseVersions(const json::Value& theirs) {
@@ -86,7 +91,7 @@ Rebase GraphDocument::save() {
     Rebase report = isThere ? reload() : Rebase{};
     if (isThere && !isModified()) return report;
     image::writeFile(file_, text());
-    saved_ = root_;
+    noteSaved(root_);
     return report;
 }
 

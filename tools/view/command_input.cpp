@@ -23,6 +23,10 @@ int openInput(const std::filesystem::path& file) {
     if (descriptor < 0)
         throw InputError({file.string()},
                          fmt::format("cannot be read: {}", std::generic_category().message(errno)));
+    if (std::filesystem::is_directory(file)) {
+        close(descriptor);
+        throw InputError({file.string()}, "cannot be read: it is a folder");
+    }
     return descriptor;
 }
 

@@ -1,6 +1,7 @@
 // The commands: what each is called, its key, what it does.
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -17,6 +18,9 @@ namespace nephrite::view {
 namespace {
 
 using Words = std::vector<std::string>;
+
+constexpr std::string_view blanks = " \t";
+constexpr double greatestExposure = 1e30;  ///< as the pass `display` has it
 
 [[noreturn]] void refuse(const std::string& expected) {
     throw InputError(SourceLocation{std::string(commandPlace)}, "expected " + expected);
@@ -100,7 +104,9 @@ void set(Viewer& viewer, const Words& words) {
     requireCount(words, 1, 1, "set NODE.PARAM=JSON or PARAM=JSON");
     const std::size_t equals = words[0].find('=');
     if (equals == std::string::npos || equals == 0) refuse("set NODE.PARAM=JSON or PARAM=JSON");
-    viewer.bench().set(words[0].substr(0, equals), words[0].substr(equals + 1), document::Gesture::Starts);
+    const std::size_t end = words[0].find_last_not_of(blanks, equals - 1);
+    viewer.bench().set(words[0].substr(0, end == std::string::npos ? 0 : end + 1),
+                       words[0].substr(equals + 1), document::Gesture::Starts);
 }
 void reset(Viewer& viewer, const Words& words) {
     requireCount(words, 1, 1, "reset NODE.PARAM or PARAM");
@@ -129,12 +135,13 @@ void save(Viewer& viewer, const Words&) {
 // What is looked at.
 
 void show(Viewer& viewer, const Words& words) {
-    requireCount(words, 1, 1, "show NODE.PORT");
+    if (words.empty()) refuse("show NODE.PORT");
+    const std::string name = fmt::format("{}", fmt::join(words, " "));
     Diagnostics diagnostics;
-    const auto port = graph::readPortReference(words[0], {std::string(commandPlace)}, diagnostics);
+    const auto port = graph::readPortReference(name, {std::string(commandPlace)}, diagnostics);
     diagnostics.throwIfErrors();
     viewer.bench().document().graph()->find(*port);  // throws where there is none
-    look(viewer, [&](PictureChoice& choice) { choice.port = words[0]; });
+    look(viewer, [&](PictureChoice& choice) { choice.port = name; });
 }
 void level(Viewer& viewer, const Words& words) {
     requireCount(words, 1, 1, "level N");
@@ -158,7 +165,8 @@ void exposure(Viewer& viewer, const Words& words) {
     requireCount(words, 0, 1, "exposure [FACTOR]");
     if (words.empty()) return viewer.bench().exposeAutomatically();
     const double factor = number(words[0]);
-    if (factor < 0) refuse("a factor of at least 0");
+    if (factor < 0 || factor > greatestExposure)
+        refuse(fmt::format("a factor from 0 to {:g}, found {}", greatestExposure, inQuotes(words[0])));
     look(viewer, [&](PictureChoice& choice) { choice.exposure = factor; });
 }
 void reference(Viewer& viewer, const Words& words) {
@@ -190,28 +198,29 @@ void size(Viewer& viewer, const Words& words) {
 
 /// The file that a command names, or `usual`. Another ending is refused: it may be the graph's or the scene's
 /// name.
-std::string pictureFile(const Words& words, const char* usual, std::string_view ending) {
+std::string pictureFile(Viewer& viewer, const Words& words, const char* usual, std::string_view ending) {
     const std::string file = given(words, 0, usual);
     if (std::filesystem::path(file).extension() != ending)
         refuse(fmt::format("a file's name that ends in {}, found {}", ending, inQuotes(file)));
+    if (viewer.bench().reads(file)) refuse(fmt::format("a file that is not read, found {}", inQuotes(file)));
     return file;
 }
 
 void screenshot(Viewer& viewer, const Words& words) {
     requireCount(words, 0, 1, "screenshot [FILE.png]");
-    const std::string file = pictureFile(words, "picture.png", ".png");
+    const std::string file = pictureFile(viewer, words, "picture.png", ".png");
     viewer.bench().writePng(file);
     viewer.state().message = "wrote " + file;
 }
 void capture(Viewer& viewer, const Words& words) {
     requireCount(words, 0, 1, "capture [FILE.exr]");
-    const std::string file = pictureFile(words, "picture.exr", ".exr");
+    const std::string file = pictureFile(viewer, words, "picture.exr", ".exr");
     viewer.bench().writeExr(file);
     viewer.state().message = "wrote " + file;
 }
 void window(Viewer& viewer, const Words& words) {
     requireCount(words, 0, 1, "window [FILE.png]");
-    viewer.state().windowCapture = pictureFile(words, "window.png", ".png");
+    viewer.state().windowCapture = pictureFile(viewer, words, "window.png", ".png");
 }
 void tab(Viewer& viewer, const Words& words) {
     requireCount(words, 1, 1, "tab timings|skips|graph");

@@ -28,6 +28,7 @@ glm::dvec3 rotated(const glm::dvec3& vector, const glm::dvec3& axis, double angl
 
 OrbitCamera::OrbitCamera(const scene::CameraDescription& camera)
     : camera_(camera),
+      firstTarget_(camera.target),
       firstDistance_(glm::distance(camera.position, camera.target)),
       firstNear_(camera.near),
       firstFar_(camera.far) {}
@@ -58,6 +59,8 @@ void OrbitCamera::pan(double x, double y) {
     const double distance = glm::distance(camera_.position, camera_.target);
     const double height = 2 * distance * std::tan(glm::radians(camera_.fovY) / 2);
     const glm::dvec3 step = (upwards() * y - rightwards() * x) * height;
+    const double moved = glm::distance(camera_.target + step, firstTarget_);
+    if (!(moved <= firstDistance_ * greatestDistance)) return;
     camera_.position += step;
     camera_.target += step;
 }

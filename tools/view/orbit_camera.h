@@ -16,7 +16,8 @@ class OrbitCamera {
     /// Turns around the target as if the scene were grabbed and drawn over the picture: a whole height is
     /// half a turn. Stops short of looking along the up direction.
     void orbit(double x, double y);
-    /// Moves along the picture plane, so that what is at the target's distance follows the hand.
+    /// Moves along the picture plane, so that what is at the target's distance follows the hand. A step that
+    /// would end farther away than approach() goes is not made.
     void pan(double x, double y);
     /// Goes nearer by a tenth of the distance to the target for each step; away for negative steps. Stops at
     /// a millionth and at a million times the distance there was at first.
@@ -33,9 +34,10 @@ class OrbitCamera {
     double limited(double distance) const;
 
     scene::CameraDescription camera_;
-    double firstDistance_;  ///< mm
-    double firstNear_;      ///< mm
-    double firstFar_;       ///< mm
+    glm::dvec3 firstTarget_;  ///< mm
+    double firstDistance_;    ///< mm
+    double firstNear_;        ///< mm
+    double firstFar_;         ///< mm
 };
 
 }  // namespace nephrite::view

@@ -7,21 +7,21 @@
 #include <utility>
 
 #include "text/diagnostics.h"
+#include "text/fault_lines.h"
 #include "view/commands.h"
 
 namespace nephrite::view {
 namespace {
 
-/// A place as it stands in front of a fault.
-std::string placeText(const SourceLocation& where) {
-    return where.line == 0 ? where.file : fmt::format("{}:{}:{}", where.file, where.line, where.column);
-}
+/// Opens a line that says what is wrong with a command's own words.
+const std::string ofCommand = fmt::format("{}: error: ", commandPlace);
 
-/// A fault at a line of a script. Where it has a place of its own this stays in its words.
-Diagnostic placed(const Diagnostic& fault, const std::string& script, std::uint32_t line) {
-    const bool isOfCommand = fault.where.file == commandPlace;
-    return {{script, line, 1},
-            isOfCommand ? fault.message : fmt::format("{}: {}", placeText(fault.where), fault.message)};
+/// What a line of a fault says, less that it is an error: the line it is put into says so.
+std::string inWords(std::string line) {
+    constexpr std::string_view mark = ": error: ";
+    if (line.starts_with(ofCommand)) return line.substr(ofCommand.size());
+    if (const std::size_t at = line.find(mark); at != std::string::npos) line.replace(at, mark.size(), ": ");
+    return line;
 }
 
 }  // namespace
@@ -34,16 +34,23 @@ void Script::runNext(Viewer& viewer) {
     ++line_;
     try {
         runCommand(viewer, text);
-    } catch (const InputError& error) {
+    } catch (const std::exception& error) {
         if (!isFile()) throw;
         std::vector<Diagnostic> faults;
-        for (const Diagnostic& fault : error.faults()) faults.push_back(placed(fault, file_.string(), line_));
+        for (std::string& line : linesOf(error))
+            faults.push_back({{file_.string(), line_, 1}, inWords(std::move(line))});
         throw InputError(std::move(faults));
     }
 }
 
+std::vector<std::string> Script::placed(std::vector<std::string> lines) const {
+    if (!isFile()) return lines;
+    for (std::string& line : lines) line = toLine({{file_.string(), line_, 1}, inWords(std::move(line))});
+    return lines;
+}
+
 void Script::answer(const std::string& text) {
-    if (text != "ok") ++failures_;
+    if (text.find("error: ") != std::string::npos) ++failures_;
     fmt::print("{}\n", text);
     std::fflush(stdout);
 }

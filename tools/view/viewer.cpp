@@ -45,8 +45,16 @@ Viewer::Viewer(const ViewerOptions& options)
 }
 
 void Viewer::attempt(const std::function<void()>& action) {
+    const FaultList before = faults_;
     faults_.attempt(action);
+    if (state_.answersWithAllFaults) faults_ = before;  // asking changes nothing
+    showNotes();
     if (bench_.isDeviceLost()) throw RunError("the device was lost");
+}
+
+void Viewer::showNotes() {
+    std::vector<std::string> notes = bench_.takeNotes();
+    if (!notes.empty()) faults_.report(std::move(notes));
 }
 
 const image::Image* Viewer::valuesIfKnown() {
@@ -81,6 +89,7 @@ void Viewer::run() {
             });
         answerScript();
     }
+    if (answers_) script_->answer(answer());
     if (const std::size_t count = bench_.session().device().validationMessages(); count != 0)
         throw RunError(fmt::format("{} validation message{}", count, count == 1 ? "" : "s"));
     if (script_) script_->requireAllDone();
@@ -128,13 +137,14 @@ void Viewer::forgetPictures() {
     pictures_ = 0;
     if (!state_.windowCapture) return;
     state_.windowCapture.reset();
-    faults_.report({"error: a minimised window has no picture to write"});
+    reportOfCommand({"nephrite: error: a minimised window has no picture to write"});
 }
 
 /// Here, and while the controls are made, what is shown may change: nothing of it is being drawn.
 void Viewer::betweenFrames() {
     takeSaved();
     if (!script_ || answers_ || !script_->hasNext()) return;
+    if (wantsFrame() && !bench_.isPlaying()) return;  // what it says is of the picture before it
     attempt([&] { script_->runNext(*this); });
     answers_ = true;
     pictures_ = picturesToRest;
@@ -143,6 +153,7 @@ void Viewer::betweenFrames() {
 void Viewer::takeSaved() {
     const std::optional<runtime::Reload> saved = bench_.takeSaved();
     if (!saved) return;
+    showNotes();
     const std::vector<std::string> lines = toLines(*saved);
     if (saved->faults.empty()) {
         fileFaults_.clear();
@@ -255,8 +266,13 @@ void Viewer::write(const image::ByteImage& picture, const std::filesystem::path&
         state_.message = "wrote " + file.string();
         pictures_ = std::max(pictures_, 1U);
     } catch (const std::exception& error) {
-        faults_.report(linesOf(error));
+        reportOfCommand(linesOf(error));
     }
+}
+
+/// A picture of the window is written after the command that asked for it.
+void Viewer::reportOfCommand(std::vector<std::string> lines) {
+    faults_.report(answers_ ? script_->placed(std::move(lines)) : std::move(lines));
 }
 
 void Viewer::updateTitle() {

@@ -68,6 +68,8 @@ class Viewer {
     std::vector<ShownImage> shownImages(VkExtent2D pixels) const;
     void present(const std::vector<ShownImage>& images);
     void write(const image::ByteImage& picture, const std::filesystem::path& file);
+    void reportOfCommand(std::vector<std::string> lines);
+    void showNotes();
     void updateTitle();
 
     WindowLibrary library_;

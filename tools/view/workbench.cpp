@@ -103,12 +103,28 @@ std::optional<runtime::Reload> Workbench::takeSaved() {
 void Workbench::readDocumentAnew(runtime::Reload& saved) {
     try {
         document_.setPassTypes(readPassTypes(options_));
-        document_.reload();
+        note(document_.reload());
         showDocument();
     } catch (const InputError& error) {
         saved.faults = error.faults();
         saved.shown = false;
     }
+}
+
+/// An edit that was to stand may be dropped in the end: then only that is said.
+void Workbench::note(const document::Rebase& rebase) {
+    const std::string file = document_.file().filename().string();
+    for (const std::string& path : rebase.overruled) {
+        const bool isDropped =
+            std::any_of(rebase.dropped.begin(), rebase.dropped.end(),
+                        [&](const std::string& edit) { return edit.starts_with(path + ":"); });
+        if (!isDropped)
+            notes_.push_back(
+                fmt::format("{}: warning: {} was changed in the file too; the edit here stands", file, path));
+    }
+    for (const std::string& edit : rebase.dropped)
+        notes_.push_back(
+            fmt::format("{}: warning: an edit no longer fits the file and was dropped: {}", file, edit));
 }
 
 /// Changes the document and shows it, or leaves both as they were.
@@ -149,7 +165,7 @@ void Workbench::redo() {
 }
 
 void Workbench::save() {
-    document_.save();
+    note(document_.save());
     showDocument();
 }
 
@@ -181,7 +197,10 @@ void Workbench::look(PictureChoice choice) {
         reference = image::readExr(choice.reference).image;
     const PictureChoice before = std::exchange(choice_, std::move(choice));
     try {
-        if (live_.show(document_, extras())) reload_->watchAnew();
+        if (live_.show(document_, extras())) {
+            reload_->watchAnew();
+            reload_->tryAgain();  // the port or the reference of before may have been what was wrong
+        }
         applyChoice();
     } catch (...) {
         choice_ = before;
@@ -276,6 +295,15 @@ const image::Image& Workbench::values() {
 const std::optional<image::ReferenceError>& Workbench::error() {
     if (!error_ && reference_) error_ = image::errorAgainst(values(), *reference_);
     return error_;
+}
+
+bool Workbench::reads(const std::filesystem::path& file) const {
+    std::vector<std::filesystem::path> files = session_->files();
+    files.push_back(choice_.reference);
+    return std::any_of(files.begin(), files.end(), [&](const std::filesystem::path& read) {
+        std::error_code missing;  // what is not there yet is another file
+        return std::filesystem::equivalent(file, read, missing);
+    });
 }
 
 void Workbench::writePng(const std::filesystem::path& file) {

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "document/live_graph.h"
@@ -40,6 +41,9 @@ class Workbench {
     /// What came of it; nothing if nothing was saved. Throws RunError if the device was lost.
     std::optional<runtime::Reload> takeSaved();
 
+    /// What became of edits that met changes of others since the last call: warnings, a line each.
+    std::vector<std::string> takeNotes() { return std::exchange(notes_, {}); }
+
     /// Looks at another port, or at the same otherwise. Another port is seen from its first level and layer,
     /// and its exposure is automatic. Throws InputError also for a level or layer that the port does not
     /// have.
@@ -61,6 +65,9 @@ class Workbench {
     bool hasChanged() const { return isDirty_; }
     /// Renders a frame. Throws RunError.
     void render();
+
+    /// Whether what is shown was made from that file: it is not to be written over.
+    bool reads(const std::filesystem::path& file) const;
 
     const document::GraphDocument& document() const { return document_; }
     const runtime::Session& session() const { return *session_; }
@@ -93,6 +100,7 @@ class Workbench {
     void edit(Edit edit);
     graph::Subresources shownPart() const;
     void stayInRange();
+    void note(const document::Rebase& rebase);
     void readDocumentAnew(runtime::Reload& saved);
     void applyChoice();
     void setExposure();
@@ -114,6 +122,7 @@ class Workbench {
     bool wantsExposure_ = true;
     std::uint32_t framesToSettle_ = 0;  ///< of a graph that remembers: frames until its picture is at rest
 
+    std::vector<std::string> notes_;
     std::optional<image::Image> values_;
     std::optional<image::Image> reference_;
     std::optional<image::ReferenceError> error_;

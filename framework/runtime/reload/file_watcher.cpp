@@ -95,6 +95,10 @@ void FileWatcher::watch(const std::vector<std::filesystem::path>& files, bool an
     for (const std::filesystem::path& folder : folders) addFolder(folder);
 }
 
+void FileWatcher::ignore(const std::vector<std::filesystem::path>& files) {
+    for (const std::filesystem::path& file : files) ignored_.insert(normal(file));
+}
+
 /// A file that somebody is writing holds back what was saved beside it: reading all would read half of that
 /// one.
 std::vector<std::filesystem::path> FileWatcher::wait() {
@@ -164,11 +168,20 @@ void FileWatcher::note(const std::filesystem::path& file, unsigned what) {
 
 /// A file that nobody reads counts when it is whole: it may be a log that is written for ever.
 bool FileWatcher::matters(const std::filesystem::path& file, unsigned what) const {
+    if (ignored_.contains(file)) return false;
     if (files_.contains(file) || beingWritten_.contains(file)) return true;
     constexpr unsigned comesOrGoes = IN_CREATE | IN_MOVED_TO | IN_MOVED_FROM | IN_DELETE;
-    const bool isFolderOfOne = (what & IN_ISDIR) != 0;
-    if ((what & comesOrGoes) != 0 && (isFolderOfOne || isSource(file))) return true;
+    const bool mayBeRead = (what & IN_ISDIR) != 0 ? leadsToAFile(file) : isSource(file);
+    if ((what & comesOrGoes) != 0 && mayBeRead) return true;
     return anything_ && (what & savedEvents) != 0;
+}
+
+/// Whether a file that is watched lies in it.
+bool FileWatcher::leadsToAFile(const std::filesystem::path& folder) const {
+    const auto after = files_.lower_bound(folder / "");
+    return after != files_.end() &&
+           std::mismatch(folder.begin(), folder.end(), after->first.begin(), after->first.end()).first ==
+               folder.end();
 }
 
 void FileWatcher::lookAtStamps() {

@@ -24,6 +24,9 @@ class FileWatcher {
     void watch(const std::vector<std::filesystem::path>& files, bool anything,
                std::filesystem::file_time_type readAt = std::filesystem::file_time_type::max());
 
+    /// These never count: what the program itself writes.
+    void ignore(const std::vector<std::filesystem::path>& files);
+
     /// Waits until something was saved and it has been quiet for a moment: what. Nothing after interrupt().
     std::vector<std::filesystem::path> wait();
     /// Ends the wait() of now or, if there is none, the next one. From any thread.
@@ -46,12 +49,14 @@ class FileWatcher {
     void readEvents();
     void note(const std::filesystem::path& file, unsigned what);
     bool matters(const std::filesystem::path& file, unsigned what) const;
+    bool leadsToAFile(const std::filesystem::path& folder) const;
     void lookAtStamps();
 
     FileDescriptor events_;
     FileDescriptor interrupts_;
     std::map<int, std::filesystem::path> folders_;  ///< by watch
     std::map<std::filesystem::path, Stamp> files_;  ///< also where links lead
+    std::set<std::filesystem::path> ignored_;
     std::set<std::filesystem::path> saved_;         ///< since the last wait()
     std::set<std::filesystem::path> beingWritten_;  ///< somebody writes and has not closed it yet
     bool heard_ = false;                            ///< something that matters, in the last look

@@ -68,8 +68,10 @@ std::vector<std::string> toLines(const Reload& reload) {
     return lines;
 }
 
-LiveReload::LiveReload(Session& session, std::function<void()> onReady)
+LiveReload::LiveReload(Session& session, std::function<void()> onReady,
+                       const std::vector<std::filesystem::path>& written)
     : session_(session), onReady_(std::move(onReady)) {
+    watcher_.ignore(written);
     task_ = nextTask(session_.readAt());
     watcher_.watch(task_->files, task_->anything, task_->readAt);  // what is saved from here on counts
     thread_ = std::thread([this] { run(); });
@@ -147,13 +149,11 @@ std::optional<Reload> LiveReload::poll() {
     if (!result) return std::nullopt;
     Reload& reload = result->reload;
     if (reload.faults.empty() && !adopt(*result)) {
-        Task again = nextTask(result->readAt);
-        again.atOnce = true;
-        again.saved = std::move(reload.files);
-        give(std::move(again));
+        giveAtOnce(std::move(reload.files), result->readAt);
         return std::nullopt;
     }
     faults_ = reload.faults;
+    refused_ = faults_.empty() ? std::vector<std::filesystem::path>() : reload.files;
     give(nextTask(result->readAt, reload.shown ? nullptr : result->draft.get()));
     return std::move(reload);
 }
@@ -184,12 +184,25 @@ LiveReload::Task LiveReload::nextTask(std::filesystem::file_time_type readAt, co
     task.readAt = readAt;
     task.draft = std::make_unique<Draft>(session_.draft(session_.shown()));
     task.files = session_.files();
-    if (failed == nullptr) return task;
+    if (failed == nullptr && faults_.empty()) return task;
     task.anything = true;
-    const std::vector<std::filesystem::path> more = failed->files();
+    const auto more = failed == nullptr ? std::vector<std::filesystem::path>() : failed->files();
     task.files.insert(task.files.end(), more.begin(), more.end());
     for (const Diagnostic& fault : faults_) task.files.emplace_back(fault.where.file);
     return task;
+}
+
+/// Another attempt at files that were saved.
+void LiveReload::giveAtOnce(std::vector<std::filesystem::path> saved,
+                            std::filesystem::file_time_type readAt) {
+    Task again = nextTask(readAt);
+    again.atOnce = true;
+    again.saved = std::move(saved);
+    give(std::move(again));
+}
+
+void LiveReload::tryAgain() {
+    if (!refused_.empty()) giveAtOnce(std::exchange(refused_, {}), session_.readAt());
 }
 
 void LiveReload::give(Task task) {
@@ -202,7 +215,6 @@ void LiveReload::give(Task task) {
 }
 
 void LiveReload::watchAnew() {
-    faults_.clear();
     give(nextTask(session_.readAt()));
 }
 

@@ -46,8 +46,10 @@ std::vector<std::string> toLines(const Reload& reload);
 class LiveReload {
   public:
     /// The session must outlive it and stay where it is. `onReady`, if given, is called from another thread
-    /// when poll() has something to do. Throws RunError if files cannot be watched.
-    explicit LiveReload(Session& session, std::function<void()> onReady = {});
+    /// when poll() has something to do. `written` are files that the program itself writes: they never count.
+    /// Throws RunError if files cannot be watched.
+    explicit LiveReload(Session& session, std::function<void()> onReady = {},
+                        const std::vector<std::filesystem::path>& written = {});
     ~LiveReload();
     LiveReload(const LiveReload&) = delete;
     LiveReload& operator=(const LiveReload&) = delete;
@@ -59,6 +61,9 @@ class LiveReload {
     bool wait(std::chrono::milliseconds most);
     /// The session was given another graph or scene by other means: from now on that one's files are watched.
     void watchAnew();
+    /// After other means have changed what stood in the way of files that were refused: tries them again.
+    /// Nothing happens if none were.
+    void tryAgain();
 
     /// What is wrong with the files as they are; empty when the session shows what they say.
     const std::vector<Diagnostic>& faults() const { return faults_; }
@@ -84,14 +89,16 @@ class LiveReload {
     bool takeTask(std::optional<Task>& task);
     void work(Task task);
     void give(Task task);
+    void giveAtOnce(std::vector<std::filesystem::path> saved, std::filesystem::file_time_type readAt);
     Task nextTask(std::filesystem::file_time_type readAt, const Draft* failed = nullptr) const;
     bool adopt(Result& result);
 
     Session& session_;
     std::function<void()> onReady_;
     std::vector<Diagnostic> faults_;
-    FileWatcher watcher_;  ///< of the thread, but for interrupt()
-    bool isWarm_ = false;  ///< of the thread: the compiler is ready
+    std::vector<std::filesystem::path> refused_;  ///< the files that have faults_
+    FileWatcher watcher_;                         ///< of the thread, but for interrupt()
+    bool isWarm_ = false;                         ///< of the thread: the compiler is ready
 
     std::mutex mutex_;
     std::condition_variable changed_;

@@ -97,7 +97,8 @@ void drawNode(Viewer& viewer, const graph::NodeControls& node) {
 void drawControls(Viewer& viewer) {
     if (beginPanel("controls", viewer.layout().controls)) {
         const auto linked = viewer.bench().document().graph();
-        const graph::GraphControls controls = graph::controlsOf(*linked, linked->values);
+        graph::GraphControls controls = graph::controlsOf(*linked, linked->values);
+        graph::setDefaults(controls, viewer.bench().document().savedParameters());
         heading("Graph");
         if (!controls.parameters.empty() && beginParameters("graph")) {
             for (const graph::Control& control : controls.parameters) drawParameter(viewer, control);

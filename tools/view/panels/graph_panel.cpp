@@ -54,7 +54,7 @@ void follow(GraphView& view, ImVec2 corner, float unit) {
 void lookAt(Viewer& viewer, graph::Index drawn) {
     const graph::Plan& plan = viewer.bench().session().plan();
     const graph::DrawnNode& node = viewer.state().graph.drawing.nodes[drawn];
-    if (node.node == graph::noIndex) return;
+    if (node.node == graph::noIndex || graph::isOfDisplay(plan.graph->nodeName(node.node))) return;
     const graph::PassType& type = *plan.graph->nodes[node.node].type;
     for (const graph::OutputPort& port : type.outputs) {
         if (!port.bufferElement.empty()) continue;
