@@ -17,6 +17,9 @@ constexpr int sessionFrames = 250;
 /// What the memory of a process may grow by from the first frames to the last, as a share.
 constexpr double flat = 0.05;
 
+/// What a run may lack by chance: only passes over the lights of a scene without any clear and do no more.
+constexpr std::string_view rare = "passes that only clear";
+
 /// What a session holds depends on its graph and its pipelines; what is held while there is none is
 /// comparable.
 test::MemoryGrowth soak(Validation validation) {
@@ -33,7 +36,7 @@ test::MemoryGrowth soak(Validation validation) {
     }
     for (const auto& [what, count] : changes.counts()) {
         fmt::print("{}: {}\n", what, count);
-        EXPECT_GT(count, 0U) << what;
+        EXPECT_TRUE(count > 0 || what == rare) << what;
     }
     fmt::print("{}", memory.table());
     return memory;
