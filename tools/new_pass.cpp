@@ -53,17 +53,26 @@ void requireAbsent(const fs::path& file) {
         throw InputError({file.string()}, "this file is there already; it stays as it is");
 }
 
+/// As a shell takes it for one word.
+std::string asWord(const std::string& text) {
+    constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._/+-";
+    if (!text.empty() && text.find_first_not_of(plain) == std::string::npos) return text;
+    std::string word = "'";
+    for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return word + "'";
+}
+
 /// What to type next.
 void printNextSteps(const NewPassArguments& arguments, const fs::path& manifest, const fs::path& shader) {
-    const std::string folder = arguments.folder.string();
+    const std::string folder = asWord(arguments.folder.string());
     const std::string inputs = arguments.kind == "raster" ? "" : R"(, "in": {"source": "NODE.PORT"})";
     fmt::print(
         "{}\n{}\n\n"
         "A node of a graph:      \"{}\": {{\"pass\": \"{}\"{}}}\n"
         "Check the manifest:     nephrite check {} --pass-path {}\n"
         "Render while you edit:  nephrite render GRAPH --pass-path {} -o picture.png --watch\n",
-        manifest.string(), shader.string(), arguments.name, arguments.name, inputs, manifest.string(), folder,
-        folder);
+        manifest.string(), shader.string(), arguments.name, arguments.name, inputs, asWord(manifest.string()),
+        folder, folder);
 }
 
 void writePass(const NewPassArguments& arguments) {

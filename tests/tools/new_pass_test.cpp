@@ -46,6 +46,15 @@ TEST_P(NewPassKinds, WorksAsWritten) {
 
 INSTANTIATE_TEST_SUITE_P(Kinds, NewPassKinds, testing::Values("pixel", "compute", "raster"));
 
+TEST(NewPass, PrintsNamesWithBlanksAsOneWord) {
+    const Workplace place;
+    std::filesystem::create_directory(place.path() / "my passes");
+    const Answer made = place.run("new-pass blur -o 'my passes'");
+    EXPECT_NE(made.output.find("nephrite check 'my passes/blur.json' --pass-path 'my passes'"),
+              std::string::npos)
+        << made.output;
+}
+
 TEST(NewPass, WritesBesideNothing) {
     const Workplace place;
     place.write("mine.glsl", "precious");

@@ -85,7 +85,7 @@ function onKey(event) {
   const pans = {ArrowLeft: [step, 0], ArrowRight: [-step, 0], ArrowUp: [0, step], ArrowDown: [0, -step]};
   const keys = {
     "/": () => search.focus(), "f": fit, "+": () => zoomAt(1.25), "=": () => zoomAt(1.25), "-": () => zoomAt(0.8),
-    "?": toggleHelp, "Escape": () => select(null),
+    "?": toggleHelp, "Escape": () => help.hidden ? select(null) : toggleHelp(),
   };
   const isInLists = event.target.closest("#lists, #details, #splitter");
   if (pans[event.key] && !isInLists) selection.node ? walk(event.key) : pan(...pans[event.key]);
