@@ -7,6 +7,7 @@
 #include <charconv>
 
 #include "text/diagnostics.h"
+#include "text/same_file.h"
 #include "truth/run_record.h"
 
 namespace nephrite::tools {
@@ -71,10 +72,8 @@ std::pair<std::string, std::string> splitAssignment(const std::string& option, c
 }
 
 void requireOther(const std::filesystem::path& output, std::span<const std::filesystem::path> inputs) {
-    std::error_code missing;  // a file that is not there yet is another one
-    for (const std::filesystem::path& input : inputs)
-        if (!output.empty() && !input.empty() && std::filesystem::equivalent(output, input, missing))
-            throw InputError({output.string()}, "this file is read, and would be overwritten");
+    if (isAmong(output, inputs))
+        throw InputError({output.string()}, "this file is read, and would be overwritten");
 }
 
 void GraphArguments::requireOther(const std::filesystem::path& output) const {

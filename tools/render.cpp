@@ -60,36 +60,34 @@ void requirePictureName(const std::string& option, const std::string& name) {
         throw InputError({option}, fmt::format("expected a name ending in .exr or .png, found \"{}\"", name));
 }
 
-void requireDistinctFiles(const std::vector<Target>& targets, const std::filesystem::path& timings) {
+/// What so many frames are written to, and the timings.
+std::vector<std::filesystem::path> filesOf(const RenderArguments& arguments,
+                                           const std::vector<Target>& targets, std::uint32_t frames) {
     std::vector<std::filesystem::path> files;
-    for (const Target& target : targets) files.push_back(target.file.of(0).lexically_normal());
-    if (!timings.empty()) files.push_back(timings.lexically_normal());
+    for (const Target& target : targets)
+        for (std::uint32_t frame = 0; frame < (target.file.isNumbered() ? frames : 1); ++frame)
+            files.push_back(target.file.of(frame));
+    if (!arguments.timings.empty()) files.push_back(arguments.timings);
+    return files;
+}
+
+void requireDistinct(std::vector<std::filesystem::path> files) {
+    for (std::filesystem::path& file : files) file = file.lexically_normal();
     std::sort(files.begin(), files.end());
     const auto twice = std::adjacent_find(files.begin(), files.end());
     if (twice != files.end())
         throw InputError({twice->string()}, "two outputs would be written to this file");
 }
 
-/// Every file that the frames are written to, and the timings.
-std::vector<std::filesystem::path> filesOf(const RenderArguments& arguments,
-                                           const std::vector<Target>& targets) {
-    std::vector<std::filesystem::path> files;
-    for (const Target& target : targets)
-        for (std::uint32_t frame = 0; frame < (target.file.isNumbered() ? arguments.frames : 1); ++frame)
-            files.push_back(target.file.of(frame));
-    if (!arguments.timings.empty()) files.push_back(arguments.timings);
-    return files;
+void requireOthers(const std::vector<std::filesystem::path>& files, const runtime::Session& session) {
+    const std::vector<std::filesystem::path> inputs = session.files();
+    for (const std::filesystem::path& file : files) requireOther(file, inputs);
 }
 
-/// Tries each output before the first frame is rendered, so that a failure leaves nothing behind, nor
-/// anything that is read is lost. Devices and pipes are written in place and cannot be tried.
-void tryOutputs(const std::vector<Target>& targets, const std::filesystem::path& timings,
-                const std::vector<std::filesystem::path>& inputs) {
-    std::vector<std::filesystem::path> files;
-    for (const Target& target : targets) files.push_back(target.file.of(0));
-    if (!timings.empty()) files.push_back(timings);
+/// Tries each output before the first frame is rendered, so that a failure leaves nothing behind. Devices and
+/// pipes are written in place and cannot be tried.
+void tryOutputs(const std::vector<std::filesystem::path>& files) {
     for (const std::filesystem::path& file : files) {
-        requireOther(file, inputs);
         std::error_code ignored;
         const auto status = std::filesystem::status(file, ignored);
         if (!std::filesystem::is_other(status)) image::OutputFile trial(file);
@@ -107,7 +105,7 @@ std::vector<Target> targetsOf(const RenderArguments& arguments) {
         requirePictureName("--dump", file);
         targets.push_back({port, image::FrameName(file)});
     }
-    requireDistinctFiles(targets, arguments.timings);
+    requireDistinct(filesOf(arguments, targets, 1));
     arguments.graph.requireOther(arguments.timings);
     return targets;
 }
@@ -247,7 +245,7 @@ void attempt(const runtime::Session& session, const std::function<void()>& work)
 void renderAnew(const RenderArguments& arguments, const std::vector<Target>& targets,
                 runtime::Session& session, timings::Report& report) {
     requireOutput(session, arguments);
-    for (const std::filesystem::path& file : filesOf(arguments, targets)) requireOther(file, session.files());
+    requireOthers(filesOf(arguments, targets, arguments.frames), session);
     timings::usePlan(report, session.plan());
     const std::size_t before = report.frames.size();
     renderFrames(arguments, targets, 0, session, report, [&](const Target& target, std::uint32_t frame) {
@@ -261,7 +259,7 @@ void renderAnew(const RenderArguments& arguments, const std::vector<Target>& tar
 void keepRendering(const RenderArguments& arguments, const std::vector<Target>& targets,
                    runtime::Session& session, timings::Report& report) {
     constexpr std::chrono::milliseconds untilNextLook{100};  // at whether it was interrupted
-    runtime::LiveReload reload(session, {}, filesOf(arguments, targets));
+    runtime::LiveReload reload(session, {}, filesOf(arguments, targets, arguments.frames));
     while (!interrupted()) {
         if (!reload.wait(untilNextLook)) continue;
         const std::optional<runtime::Reload> saved = reload.poll();
@@ -283,7 +281,8 @@ void render(const RenderArguments& arguments) {
     runtime::Session session(sessionOptions(arguments));
     printWarnings(session);
     requireOutput(session, arguments);
-    tryOutputs(targets, arguments.timings, session.files());
+    requireOthers(filesOf(arguments, targets, arguments.frames), session);
+    tryOutputs(filesOf(arguments, targets, 1));
 
     timings::Report report = emptyReport(arguments, session);
     report.warmup = arguments.warmup.value_or(arguments.timings.empty() ? 0 : 3);

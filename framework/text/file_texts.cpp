@@ -3,10 +3,13 @@
 
 #include <fstream>
 #include <iterator>
+#include <string_view>
 #include <system_error>
 
 namespace nephrite {
 namespace {
+
+constexpr std::string_view byteOrderMark = "\xef\xbb\xbf";  // some editors begin a text with it
 
 std::optional<std::string> readWhole(const std::filesystem::path& file) {
     std::error_code ignored;
@@ -15,6 +18,7 @@ std::optional<std::string> readWhole(const std::filesystem::path& file) {
     if (!stream) return std::nullopt;
     std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
     if (stream.bad()) return std::nullopt;
+    if (text.starts_with(byteOrderMark)) text.erase(0, byteOrderMark.size());
     return text;
 }
 

@@ -48,10 +48,6 @@ TEST(PortCalls, SeesAPortBehindComments) {
     EXPECT_EQ(rewritten("load(// from\n normal, p)"), "load_normal(// from\n  p)");
 }
 
-TEST(PortCalls, DropsAByteOrderMark) {
-    EXPECT_EQ(rewritten("\xef\xbb\xbfload(normal, p)"), "load_normal( p)");
-}
-
 TEST(PortCalls, AcceptsUnfinishedText) {
     for (const std::string source : {"load(", "load(normal", "/* load(normal", "//", "load( normal"})
         EXPECT_EQ(rewritten(source), source);

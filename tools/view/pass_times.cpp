@@ -23,6 +23,11 @@ float TimeSeries::medianGpuMs() const {
     return *middle;
 }
 
+const TimeSeries* PassTimes::find(const std::string& pass) const {
+    const auto found = series_.find(pass);
+    return found == series_.end() ? nullptr : &found->second;
+}
+
 void PassTimes::add(const graph::Plan& plan, const runtime::FrameTimes& times) {
     ++frames_;
     last_ = times;

@@ -33,6 +33,8 @@ class PassTimes {
     /// Passes of the last frame's plan, in execution order.
     const std::vector<std::string>& passes() const { return passes_; }
     const TimeSeries& of(const std::string& pass) const { return series_.at(pass); }
+    /// The same, or nullptr for what is no pass of that plan.
+    const TimeSeries* find(const std::string& pass) const;
 
   private:
     std::uint64_t frames_ = 0;

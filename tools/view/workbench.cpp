@@ -13,6 +13,7 @@
 #include "image/tone_map.h"
 #include "runtime/loading/graph_loading.h"
 #include "scene/scene.h"
+#include "text/same_file.h"
 
 namespace nephrite::view {
 namespace {
@@ -300,10 +301,7 @@ const std::optional<image::ReferenceError>& Workbench::error() {
 bool Workbench::reads(const std::filesystem::path& file) const {
     std::vector<std::filesystem::path> files = session_->files();
     files.push_back(choice_.reference);
-    return std::any_of(files.begin(), files.end(), [&](const std::filesystem::path& read) {
-        std::error_code missing;  // what is not there yet is another file
-        return std::filesystem::equivalent(file, read, missing);
-    });
+    return isAmong(file, files);
 }
 
 void Workbench::writePng(const std::filesystem::path& file) {

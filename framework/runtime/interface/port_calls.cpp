@@ -52,8 +52,6 @@ PortCalls::PortCalls(const graph::PassType& type) {
 }
 
 std::string PortCalls::rewrite(std::string_view source) const {
-    constexpr std::string_view byteOrderMark = "\xef\xbb\xbf";  // some editors begin a text with it
-    if (source.starts_with(byteOrderMark)) source.remove_prefix(byteOrderMark.size());
     std::string result;
     result.reserve(source.size() + source.size() / 16);
     std::size_t at = 0;

@@ -75,7 +75,7 @@ bool isClick() {
 void explainNode(Viewer& viewer, const graph::DrawnNode& node) {
     const graph::Plan& plan = viewer.bench().session().plan();
     const PassTimes& times = viewer.bench().times();
-    std::string words = nameOf(plan, node) + "\n" + stateOf(plan, node, times);
+    std::string words = fmt::format("{}\n{}", nameOf(plan, node), name(outcomeOf(plan, node, times)));
     if (node.node != graph::noIndex)
         words += fmt::format(": {}\n{} {}", graph::whyOf(plan, node.node), typeOf(plan, node),
                              timeOf(plan, node, times));

@@ -16,11 +16,19 @@ constexpr float portSize = 10.5F;
 constexpr float leastSize = 12;  ///< of letters on the screen, where those of the usual size are 14
 constexpr float inset = 9;       ///< of text in a box
 
-const ImVec4& colorOfState(const std::string& state) {
-    if (state == "runs") return color::gpu;
-    if (state == "kept") return color::cpu;
-    if (state == "skipped") return color::skipped;
-    if (state == "culled") return color::quiet;
+const ImVec4& colorOf(Outcome outcome) {
+    switch (outcome) {
+        case Outcome::Runs:
+            return color::gpu;
+        case Outcome::Kept:
+            return color::cpu;
+        case Outcome::Skipped:
+            return color::skipped;
+        case Outcome::Culled:
+            return color::quiet;
+        case Outcome::Output:
+            break;
+    }
     return ImGui::GetStyle().Colors[ImGuiCol_Text];
 }
 
@@ -36,10 +44,6 @@ ImVec4 colorOfEdge(graph::EdgeKind kind) {
             return color::quiet;
     }
     return color::quiet;
-}
-
-bool isKnown(const PassTimes& times, const std::string& pass) {
-    return std::find(times.passes().begin(), times.passes().end(), pass) != times.passes().end();
 }
 
 class Painter {
@@ -116,7 +120,7 @@ class Painter {
         const ImVec2 corner = picture_.at(node.corner);
         const ImVec2 end = picture_.at({node.corner.x + node.width, node.corner.y + node.height});
         if (!ImGui::IsRectVisible(corner, end)) return;
-        ImVec4 state = colorOfState(stateOf(picture_.plan, node, picture_.times));
+        ImVec4 state = colorOf(outcomeOf(picture_.plan, node, picture_.times));
         const float visible = anySelected_ && reach == Reach::None ? 0.3F : 1;
         state.w = visible;
         const float rounding = 5 * picture_.zoom();
@@ -149,7 +153,7 @@ class Painter {
         const float second = lettersFor(nameSize) * 0.9F;
         const float below = top + size * 1.2F;
         if (below + second > corner.y + node.height * picture_.zoom()) return;
-        const std::string what = stateOf(picture_.plan, node, picture_.times);
+        const std::string what(name(outcomeOf(picture_.plan, node, picture_.times)));
         const std::string time = timeOf(picture_.plan, node, picture_.times);
         const std::string right = time.empty() ? what : time;  // its colour says what became of it
         const float rightWidth = widthOf(right, second);
@@ -201,18 +205,35 @@ std::string nameOf(const graph::Plan& plan, const graph::DrawnNode& node) {
                                        : plan.graph->nodeName(node.node);
 }
 
-std::string stateOf(const graph::Plan& plan, const graph::DrawnNode& node, const PassTimes& times) {
-    if (node.node == graph::noIndex) return "output";
-    if (plan.nodes[node.node].state != graph::NodeState::Run)
-        return std::string(graph::name(plan.nodes[node.node].state));
-    const std::string& name = plan.graph->nodeName(node.node);
-    return isKnown(times, name) && !times.of(name).ran ? "kept" : "runs";
+std::string_view name(Outcome outcome) {
+    switch (outcome) {
+        case Outcome::Runs:
+            return "runs";
+        case Outcome::Kept:
+            return "kept";
+        case Outcome::Skipped:
+            return "skipped";
+        case Outcome::Culled:
+            return "culled";
+        case Outcome::Output:
+            break;
+    }
+    return "output";
+}
+
+Outcome outcomeOf(const graph::Plan& plan, const graph::DrawnNode& node, const PassTimes& times) {
+    if (node.node == graph::noIndex) return Outcome::Output;
+    const graph::NodeState state = plan.nodes[node.node].state;
+    if (state == graph::NodeState::Skipped) return Outcome::Skipped;
+    if (state == graph::NodeState::Culled) return Outcome::Culled;
+    const TimeSeries* series = times.find(plan.graph->nodeName(node.node));
+    return series != nullptr && !series->ran ? Outcome::Kept : Outcome::Runs;
 }
 
 std::string timeOf(const graph::Plan& plan, const graph::DrawnNode& node, const PassTimes& times) {
     if (node.node == graph::noIndex) return "";
-    const std::string& name = plan.graph->nodeName(node.node);
-    return isKnown(times, name) ? fmt::format("{:.2f} ms", times.of(name).medianGpuMs()) : "";
+    const TimeSeries* series = times.find(plan.graph->nodeName(node.node));
+    return series == nullptr ? "" : fmt::format("{:.2f} ms", series->medianGpuMs());
 }
 
 std::string typeOf(const graph::Plan& plan, const graph::DrawnNode& node) {
@@ -230,9 +251,10 @@ void drawLegend(const GraphPicture& picture) {
     const float width = ImGui::CalcTextSize("runs kept skipped culled").x + 5 * step;
     list.AddRectFilled(picture.corner, {picture.corner.x + width, picture.corner.y + 2 * step},
                        ImGui::GetColorU32(ImGuiCol_WindowBg, 0.85F), step / 3);
-    for (const char* state : {"runs", "kept", "skipped", "culled"}) {
-        list.AddText(place, ImGui::GetColorU32(colorOfState(state)), state);
-        place.x += ImGui::CalcTextSize(state).x + step;
+    for (const Outcome outcome : {Outcome::Runs, Outcome::Kept, Outcome::Skipped, Outcome::Culled}) {
+        const std::string word(name(outcome));
+        list.AddText(place, ImGui::GetColorU32(colorOf(outcome)), word.c_str());
+        place.x += ImGui::CalcTextSize(word.c_str()).x + step;
     }
 }
 
@@ -252,7 +274,7 @@ void drawOverview(const GraphPicture& picture) {
         const ImVec2 first = at(node.corner.x, node.corner.y);
         const ImVec2 last = at(node.corner.x + node.width, node.corner.y + node.height);
         list.AddRectFilled(first, {std::max(last.x, first.x + 1), std::max(last.y, first.y + 1)},
-                           ImGui::GetColorU32(colorOfState(stateOf(picture.plan, node, picture.times))));
+                           ImGui::GetColorU32(colorOf(outcomeOf(picture.plan, node, picture.times))));
     }
     list.AddRect(at(view.left, view.top),
                  at(view.left + view.paneWidth / view.zoom, view.top + view.paneHeight / view.zoom),

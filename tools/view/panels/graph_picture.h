@@ -3,7 +3,9 @@
 
 #include <imgui.h>
 
+#include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "view/graph_reach.h"
@@ -29,8 +31,10 @@ struct GraphPicture {
 };
 
 std::string nameOf(const graph::Plan& plan, const graph::DrawnNode& node);
-/// "runs", "kept", "skipped", "culled", "output".
-std::string stateOf(const graph::Plan& plan, const graph::DrawnNode& node, const PassTimes& times);
+/// What became of a node in the last frame.
+enum class Outcome : std::uint8_t { Runs, Kept, Skipped, Culled, Output };
+std::string_view name(Outcome outcome);
+Outcome outcomeOf(const graph::Plan& plan, const graph::DrawnNode& node, const PassTimes& times);
 /// "1.25 ms"; "" of what has no time.
 std::string timeOf(const graph::Plan& plan, const graph::DrawnNode& node, const PassTimes& times);
 std::string typeOf(const graph::Plan& plan, const graph::DrawnNode& node);
